@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/base/ids.h"
+#include "core/base/sim_time.h"
+
+// One entry of an agenda. 24 bytes: a million persons carry five or six each.
+namespace pcg {
+
+enum class TaskKind : uint8_t {
+	StayInside, // hidden inside `target` (a BuildingId) from start to end
+	GoToBuilding, // leaves for `target` at start, inside on arrival, until end
+	Accompany, // walks in the group `target` (a GroupId): see group.h
+	DelayedRule, // runs the rule `target` (a RuleId) from start, cut short at end
+	FloatingSlot, // free time, filled from the person's pool of floating tasks
+};
+
+struct Task {
+	int32_t start_ms = 0; // since 0h of each day of `days`; in [0, 24 h)
+	int32_t end_ms = 0; // > start; beyond 24 h it runs on into the next day, at most to start + 24 h
+	uint32_t target = 0xFFFFFFFF;
+	uint32_t origin = 0; // index in AgendaSet::origins: the operation call that wrote it (rule, file, line), for "why"
+	uint16_t generation = 0; // counts insertions of this agenda: the larger is the newer
+	TaskKind kind = TaskKind::StayInside;
+	DayMask days = all_days;
+	uint32_t reserved = 0;
+
+	Duration start() const { return { start_ms }; }
+	Duration end() const { return { end_ms }; }
+};
+static_assert(sizeof(Task) == 24);
+
+} // namespace pcg

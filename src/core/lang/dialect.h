@@ -1,0 +1,129 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/lang/value.h"
+
+// One rule language, several dialects: CGA writes geometry, PCG agendas write days. A dialect is a table of built-ins; arity checks,
+// "did you mean", completion and the reference pages are all derived from it.
+namespace pcg {
+
+class Vm;
+struct Block;
+
+// What an operation asks of the interpreter: go on, stop here until resumed (PCG language, section 6), or give this run up.
+enum class Flow : uint8_t { Next, Pause, Stop };
+
+enum class ParamKind : uint8_t {
+	Any,
+	Number,
+	Bool,
+	Text,
+	Size, // a number with ' or ~ allowed
+	Word, // one of ParamSpec::words, written bare; arrives as its index
+	WordOrNumber,
+	Predicate, // arrives unevaluated as a Chunk (paper, "Generation of the agendas")
+	Rule, // the name of a rule; arrives as its RuleId
+};
+
+struct ParamSpec {
+	std::string_view name;
+	ParamKind kind = ParamKind::Any;
+	std::string_view words = {}; // "x y z"; index 0, 1, 2
+	bool is_optional = false; // only at the end of the list
+	bool is_repeated = false; // the last parameter, any number of times
+};
+
+// What a built-in receives. `block` only for operations that take one; `user` is what the host registered with the spec.
+struct Args {
+	std::span<const Value> values;
+	const Block *block = nullptr;
+	const void *user = nullptr;
+	size_t count() const { return values.size(); }
+	const Value &operator[](size_t i) const { return values[i]; }
+	// Only after the arity and kind checks of the compiler, which also happen at run time for values not known before.
+	double number(size_t i) const { return values[i].number; }
+	double number_or(size_t i, double fallback) const { return i < values.size() ? values[i].number : fallback; }
+};
+
+using FunctionHandler = Value (*)(Vm &vm, const Args &args);
+using OperationHandler = Flow (*)(Vm &vm, const Args &args);
+using VariableHandler = Value (*)(Vm &vm);
+
+// Overloads are several specs of one name with different numbers of arguments.
+struct FunctionSpec {
+	std::string_view name;
+	std::vector<ParamSpec> params;
+	ValueType result = ValueType::Number;
+	FunctionHandler handler = nullptr;
+	std::string_view help; // one or two sentences: meaning, units, errors
+	bool is_pure = false; // same arguments, same value, no host: folded at compile time
+	const void *user = nullptr;
+};
+
+enum class BlockKind : uint8_t {
+	None,
+	Predicates, // { expr : body | .. }: members
+	Sizes, // { size : body | .. }*: split
+	Selectors, // { selector : body | .. }, also '=' and '=:': comp, setback
+	Bodies, // { body | .. }: scatter; with a single body also days(mask) { body }
+};
+
+// When an operation means something (PCG language, sections 5 and 6). CGA has one phase only.
+enum class Phase : uint8_t { Generation = 1, Simulation = 2, Both = 3 };
+
+struct OperationSpec {
+	std::string_view name;
+	std::vector<ParamSpec> params;
+	BlockKind block = BlockKind::None;
+	OperationHandler handler = nullptr;
+	std::string_view help;
+	Phase phase = Phase::Generation;
+	const void *user = nullptr;
+};
+
+// Read-only built-in: `age`, `scope.sx`.
+struct VariableSpec {
+	std::string_view name;
+	ValueType type = ValueType::Number;
+	VariableHandler handler = nullptr;
+	std::string_view help;
+	bool is_writable = false; // set(name, ..) is handed to the dialect's operation `set`
+};
+
+struct Dialect {
+	std::string_view name; // "cga", "pcg"
+	std::string_view title; // "CGA shape grammar"
+
+	// Locals made by set() and parameters are seen by the rules called after it (PCG), or parameters by their own body only and set() is an
+	// operation of the dialect (CGA).
+	enum class Locals : uint8_t { Dynamic, Lexical } locals = Locals::Lexical;
+	// A rule call runs the rule (PCG), or is handed to VmHost::call_rule, which makes a new shape (CGA).
+	enum class RuleCalls : uint8_t { Run, ByHost } rule_calls = RuleCalls::Run;
+	// A called name that is nothing: an error (PCG), or a leaf shape with a warning unless it ends in a dot (CGA).
+	enum class UnknownNames : uint8_t { Error, LeafSymbol } unknown_names = UnknownNames::Error;
+	// How attributes are evaluated again: both dialects do so once, PCG per household, CGA per initial shape.
+	bool has_time_units = false; // 8h30m, 5m, 30s
+
+	std::vector<FunctionSpec> functions;
+	std::vector<OperationSpec> operations;
+	std::vector<VariableSpec> variables;
+
+	// Indices, or -1. With a name that exists but not for that many arguments, -1 too: see `has_operation`.
+	int find_function(std::string_view name, size_t argument_count) const;
+	int find_operation(std::string_view name, size_t argument_count) const;
+	int find_variable(std::string_view name) const;
+	bool has_function(std::string_view name) const;
+	bool has_operation(std::string_view name) const;
+	// The block that an operation of this name takes, whatever its arguments; the parser needs it before it knows them.
+	BlockKind block_kind(std::string_view operation_name) const;
+};
+
+// abs min max floor .. rand p: shared by all dialects. `rand` draws from Vm::random().
+void add_math_functions(Dialect &dialect);
+
+} // namespace pcg

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "core/base/ids.h"
+#include "core/lang/dialect.h"
+#include "core/lang/value.h"
+
+// A rule set compiled for one dialect: flat code, no names left to look up while it runs. Immutable after compilation and shared by threads.
+namespace pcg {
+
+// Where a piece of source stands. `file` indexes Program::files.
+struct SourcePlace {
+	uint32_t file = 0;
+	uint32_t line = 0;
+	uint32_t column = 0;
+};
+
+enum class OpCode : uint8_t;
+
+struct Instruction {
+	OpCode code;
+	uint8_t count = 0; // arguments
+	uint16_t extra = 0;
+	uint32_t operand = 0;
+};
+static_assert(sizeof(Instruction) == 8);
+
+// A piece of code by the address of its first instruction; it ends with a Return.
+enum class Chunk : uint32_t { None = 0xFFFFFFFF };
+
+struct Annotation {
+	std::string name; // "Range", without the @
+	std::vector<std::string> arguments; // text of each, strings without quotes; "min=0" keeps its name
+};
+
+struct RuleInfo {
+	std::string name; // with the import's prefix: "day.Household"
+	std::vector<std::string> params;
+	Chunk code = Chunk::None;
+	SourcePlace place;
+	std::vector<Annotation> annotations;
+	bool is_start = false;
+	bool is_leaf_symbol = false; // CGA: a called name without a rule
+};
+
+// `attr` and plain names may be overridden by the host, `const` may not.
+struct AttributeInfo {
+	std::string name;
+	enum class Kind : uint8_t { Attribute, Plain, Constant } kind = Kind::Attribute;
+	Chunk code = Chunk::None;
+	SourcePlace place;
+	std::vector<Annotation> annotations;
+	ValueType type = ValueType::Void; // as far as known without running
+};
+
+// One entry of a selector block. Entries of one block lie one behind the other in Program::entries.
+struct BlockEntry {
+	enum class Kind : uint8_t { Body, Repeat, Group } kind = Kind::Body; // Repeat and Group hold a nested block: {..}* and {..}
+	enum class Separator : uint8_t { Each, All, Connected } separator = Separator::Each; // ':' '=' '=:'
+	Chunk head = Chunk::None; // size, predicate, or selector expression; None where the selector is a word
+	uint32_t word = no_symbol; // selector word: symbol in Program::texts ("front", "street.back", "all")
+	Chunk body = Chunk::None;
+	uint32_t block = 0; // of Repeat and Group: index in Program::blocks
+	SourcePlace place;
+};
+
+struct Block {
+	uint32_t first_entry = 0;
+	uint32_t entry_count = 0;
+	bool is_repeated = false; // the `*` behind the block
+};
+
+struct Program {
+	const Dialect *dialect = nullptr; // outlives the program
+	std::vector<std::string> files;
+	std::vector<Instruction> code;
+	std::vector<SourcePlace> places; // one for each instruction
+	std::vector<Value> constants;
+	std::deque<Text> texts; // the text table; a symbol is an index here
+	std::vector<RuleInfo> rules;
+	std::vector<AttributeInfo> attributes;
+	std::vector<Block> blocks;
+	std::vector<BlockEntry> entries;
+	uint32_t slot_count = 0; // dynamic locals
+	std::vector<std::string> slot_names;
+	RuleId start_rule = RuleId::Invalid;
+	std::deque<std::string> text_storage; // owns what `texts` views
+
+	// Invalid if there is none. Matching is exact.
+	RuleId find_rule(std::string_view name, size_t param_count = 0) const;
+	// -1 if there is none.
+	int find_attribute(std::string_view name) const;
+};
+
+} // namespace pcg

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+// What expressions of the rule languages yield: 16 bytes, copied freely. Text and arrays live in the program's constants or in the arena of the
+// run that made them, never longer than that run.
+namespace pcg {
+
+enum class ValueType : uint8_t { Void, Number, Bool, Text, Word, Rule, Chunk, Array };
+
+// How a number was written where sizes are allowed: 3 (metres), '0.5 (of the scope), ~1 (a weight). CGA reference: op_split.
+enum class SizeKind : uint8_t { Absolute, Relative, Flexible };
+
+constexpr uint32_t no_symbol = 0xFFFFFFFF;
+
+// Constants of a program carry their index in the program's text table as a symbol, so that a host can look names up once per program
+// instead of once per use; text made at run time has `no_symbol`.
+struct Text {
+	std::string_view view;
+	uint32_t symbol = no_symbol;
+};
+
+struct ArrayData;
+
+struct Value {
+	ValueType type = ValueType::Void;
+	SizeKind size_kind = SizeKind::Absolute; // of a Number
+	union {
+		double number = 0.0;
+		bool boolean;
+		const Text *text;
+		uint32_t word; // index in the parameter's list of words
+		uint32_t rule; // RuleId
+		uint32_t chunk; // address of an expression that is evaluated by whoever receives it (a predicate)
+		const ArrayData *array;
+	};
+
+	static Value of(double number_value) {
+		Value value;
+		value.type = ValueType::Number;
+		value.number = number_value;
+		return value;
+	}
+	static Value of(bool boolean_value) {
+		Value value;
+		value.type = ValueType::Bool;
+		value.boolean = boolean_value;
+		return value;
+	}
+	static Value of(const Text *text_value) {
+		Value value;
+		value.type = ValueType::Text;
+		value.text = text_value;
+		return value;
+	}
+	bool is_number() const { return type == ValueType::Number; }
+	bool is_bool() const { return type == ValueType::Bool; }
+	bool is_text() const { return type == ValueType::Text; }
+};
+static_assert(sizeof(Value) == 16);
+
+// "number", "true or false", "text" ..: for messages.
+std::string_view type_name(ValueType type);
+
+} // namespace pcg

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "core/base/ids.h"
+
+// What the core asks about walking. core/navigation answers it on baked polygons; StraightLinePaths answers it without any.
+namespace pcg {
+
+class PathProvider {
+public:
+	virtual ~PathProvider() = default;
+
+	// Walking distance in metres between the nearest entrances of two buildings; 0 for one building, infinity if there is no way.
+	// Same value for both directions. May be called from several threads at once after prepare().
+	virtual double distance(BuildingId from, BuildingId to) const = 0;
+	// The building with an entrance of the type nearest by walking distance, ties to the lower id; Invalid if none can be reached.
+	virtual BuildingId nearest_building(TypeId type, BuildingId from) const = 0;
+	// The polyline walked, first point = from, last = to; empty if there is no way. Points on the ground.
+	virtual std::vector<glm::vec3> path(glm::vec3 from, glm::vec3 to) const = 0;
+	// The zone of the type whose nearest point is closest to walk to, and that point; Invalid if none.
+	virtual ZoneId nearest_zone(TypeId type, glm::vec3 from, glm::vec3 &entry) const = 0;
+};
+
+} // namespace pcg

@@ -1,0 +1,37 @@
+#include <doctest/doctest.h>
+
+#include "core/base/diagnostic.h"
+
+using namespace pcg;
+
+TEST_CASE("a diagnostic shows place, message, source line, caret and what to do") {
+	const Diagnostic diagnostic{ Severity::Error, "unknown-name", "a.pcg", 3, 2, "there is no rule `Gp`", "did you mean `Go`?", "\tGp(1)" };
+	CHECK(to_text(diagnostic) == "a.pcg:3:2: error: there is no rule `Gp` [unknown-name]\n    \tGp(1)\n    \t^\n    did you mean `Go`?");
+}
+
+TEST_CASE("a caret in a very long line shows the surroundings only") {
+	Diagnostic diagnostic{ Severity::Error, "x", "f", 1, 5000001, "m", "", std::string(10'000'000, '(') };
+	CHECK(to_text(diagnostic).size() < 500);
+}
+
+TEST_CASE("diagnostics keep the first ones and count all, appending keeps the counts") {
+	Diagnostics many(2);
+	for (int i = 0; i < 5; ++i) {
+		many.error("e", "message");
+	}
+	many.warning("w", "warning");
+	Diagnostics all;
+	all.append(many);
+	CHECK(many.list().size() == 2);
+	CHECK(all.error_count() == 5);
+	CHECK(all.warning_count() == 1);
+	CHECK(to_text(all).find("and 4 more") != std::string::npos);
+}
+
+TEST_CASE("the closest name forgives typing, case and a changed word") {
+	const std::vector<std::string_view> names = { "VisitBuilding", "GoToPark", "SitInBench", "goToBuilding" };
+	CHECK(closest_name("VisitPark", names) == "GoToPark");
+	CHECK(closest_name("gotobuilding", names) == "goToBuilding");
+	CHECK(closest_name("SitInBecnh", names) == "SitInBench");
+	CHECK(closest_name("Quux", names).empty());
+}
