@@ -17,7 +17,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from deps import ROOT, read_deps  # noqa: E402
-from engine_fetch import FetchError, fetch, is_ready  # noqa: E402
+from engine_fetch import FetchError, fetch  # noqa: E402
 
 MINIMUM = read_deps()["ENGINE_MINIMUM"]
 
@@ -67,10 +67,7 @@ def find_engine():
     named = from_environment()
     if named:
         return named
-    directory = engine_directory()
-    if is_ready(directory):  # Before PATH only because it is quick to see; it was fetched when PATH had none.
-        return str(directory / "godot")
-    return from_path() or str(fetch(directory))
+    return from_path() or str(fetch(engine_directory()))
 
 
 def dump_api(executable, directory=ROOT / "build" / "api"):

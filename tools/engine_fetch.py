@@ -37,6 +37,7 @@ if [ -z "${VK_DRIVER_FILES:-}" ]; then
 \t\t[ -e "$icd" ] && VK_DRIVER_FILES=${VK_DRIVER_FILES:+$VK_DRIVER_FILES:}$icd
 \tdone
 fi
+[ -e /etc/fonts/fonts.conf ] || export FONTCONFIG_PATH="${FONTCONFIG_PATH:-$root/etc/fonts}"
 export LIBGL_DRIVERS_PATH GBM_BACKENDS_PATH __EGL_VENDOR_LIBRARY_DIRS VK_DRIVER_FILES
 exec "$root/usr/bin/godot" "$@"
 """
@@ -58,6 +59,8 @@ def is_ready(directory):
 
 def fetch(directory):
     """Returns the path of the executable in `directory`, after fetching it if it is not there. Raises FetchError."""
+    if is_ready(directory):
+        return directory / "godot"
     try:
         directory.mkdir(parents=True, exist_ok=True)
         lock = open(directory / "lock", "w", encoding="utf-8")
