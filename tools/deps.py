@@ -8,4 +8,4 @@ ROOT = Path(__file__).resolve().parent.parent
 def read_deps(path=ROOT / "deps.env"):
     """Returns the NAME=VALUE lines as a dict; blank lines and # comments are skipped."""
     pairs = (line.split("=", 1) for line in path.read_text().splitlines() if line and not line.startswith("#"))
-    return {name.strip(): value.strip() for name, value in pairs}
+    return {name.strip(): value.strip().strip('"') for name, value in pairs}

@@ -2,7 +2,7 @@
 """Finds the Godot that this project runs, and fetches it where there is none.
 
     engine.py path     prints the executable (fetches it first if need be; progress goes to stderr)
-    engine.py dump     writes the engine's API description to build/api/, when the engine has changed
+    engine.py dump     the same, and writes the engine's API description to build/api/ when the engine has changed
 
 Order: $GODOT; godot4 or godot on PATH, if new enough; Debian's own package, unpacked into $PCG_ENGINE_DIR (default
 .engine/), which touches nothing of the system.
@@ -103,8 +103,7 @@ def main(arguments):
     except FetchError as error:
         print(f"engine: {error}", file=sys.stderr)
         return 1
-    if arguments == ["path"]:
-        print(executable)
+    print(executable)
     return 0
 
 

@@ -1,0 +1,140 @@
+#!/usr/bin/env python3
+"""Runs every suite of the project on what has been built, and closes with one line: `N passed, N failed`.
+
+    run_tests.py --engine GODOT [--suffix .address-undefined] [--only SUITE] [WORD]
+
+WORD keeps the tests whose name holds it. A suite that does not reach its own end counts as one failure.
+"""
+
+import argparse
+import os
+import re
+import subprocess
+import sys
+import threading
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+from deps import ROOT
+
+TIME_LIMIT = 900  # seconds for one suite; a hang is a failure, not a wait
+
+# What the engine says when something is wrong, at the beginning of a line.
+ENGINE_COMPLAINT = re.compile(r"^\s*((USER |SCRIPT )?(ERROR|WARNING):|Parse Error|.*(ObjectDB instances? (was|were )?leaked|"
+                              r"Leaked instance|RID allocations? of type|still in use at exit|Orphan StringName))")
+
+
+@dataclass
+class Outcome:
+    passed: int = 0
+    failed: int = 0
+    text: str = ""  # shown only if something failed
+
+
+def run(command, environment=None):
+    """Returns (exit status, everything printed); the status is None where the time limit ended the program."""
+    child = subprocess.Popen([str(part) for part in command], cwd=ROOT, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                             stderr=subprocess.STDOUT, text=True, errors="replace", env={**os.environ, **(environment or {})})
+    expired = []
+    timer = threading.Timer(TIME_LIMIT, lambda: (expired.append(True), child.kill()))
+    timer.start()
+    text = child.communicate()[0]
+    timer.cancel()
+    return (None if expired else child.returncode), text
+
+
+def ending(status):
+    if status is None:
+        return f"stopped after {TIME_LIMIT} s without an end"
+    return f"ended with status {status}" if status >= 0 else f"was killed by signal {-status}"
+
+
+def run_check(script):
+    status, text = run([sys.executable, script])
+    return Outcome(1, 0) if status == 0 else Outcome(0, max(1, len(re.findall(r":\d+: ", text))), text)
+
+
+def run_unittest(folder, options):
+    command = [sys.executable, "-m", "unittest", "discover", "-s", folder]
+    status, text = run(command + (["-k", options.word] if options.word else []), {"GODOT": options.engine})
+    ran = re.search(r"^Ran (\d+) tests? in", text, re.MULTILINE)
+    if not ran or status is None:
+        return Outcome(0, 1, f"{text}\n{folder} {ending(status)}")
+    bad = sum(int(n) for n in re.findall(r"(?:failures|errors|unexpected successes)=(\d+)", text))
+    skipped = sum(int(n) for n in re.findall(r"skipped=(\d+)", text))
+    return Outcome(int(ran[1]) - bad - skipped, bad, text)
+
+
+def run_doctest(program, options):
+    status, text = run([program, "--no-colors"] + ([f"-tc=*{options.word}*"] if options.word else []))
+    summary = re.search(r"test cases:\s*\d+ \|\s*(\d+) passed \|\s*(\d+) failed", text)
+    if not summary:
+        return Outcome(0, 1, f"{text}\n{program} {ending(status)} and printed no summary")
+    passed, failed = int(summary[1]), int(summary[2])
+    if status != 0 and failed == 0:  # a sanitizer's complaint at exit
+        failed = 1
+        text += f"\n{program} {ending(status)}"
+    return Outcome(passed, failed, text)
+
+
+def complaints(text):
+    """The engine's complaints that no test announced, and the announcements that nothing followed."""
+    lines = text.splitlines()
+    expected = {line.split(": ", 1)[1] for line in lines if line.startswith("EXPECTED MESSAGE: ")}
+    found = [line for line in lines if ENGINE_COMPLAINT.match(line)]
+    unexpected = [line for line in found if not any(e in line for e in expected)]
+    missing = [f"expected, and not seen: {e}" for e in sorted(expected) if not any(e in line for line in found)]
+    return unexpected + missing
+
+
+def run_godot(options):
+    command = [options.engine, "--headless", "--path", ".", "--script", "tests/godot/run.gd"]
+    status, text = run(command + (["--", options.word] if options.word else []))
+    marker = re.search(r"^godot suite ended: (\d+) passed, (\d+) failed$", text, re.MULTILINE)
+    if not marker:
+        return Outcome(0, 1, f"{text}\nthe headless suite {ending(status)} before its end marker")
+    passed, failed = int(marker[1]), int(marker[2])
+    wrong = complaints(text)
+    if status != 0 and failed == 0:
+        wrong.append(f"the engine {ending(status)} after the end marker")
+    return Outcome(passed, failed + len(wrong), text + "\n" + "\n".join(wrong))
+
+
+def suites(options):
+    """(name, function) in the order of how quickly they speak up; a suite whose files are not there is left out."""
+    core = ROOT / f"build/tests/pcg_tests{options.suffix}"
+    if not options.word:
+        for check in ("layers", "size", "versions"):
+            yield check, lambda check=check: run_check(ROOT / f"tests/check_{check}.py")
+    yield "core", lambda: run_doctest(core, options)
+    for folder in ("tests/tools", "bindings/tests"):
+        if any((ROOT / folder).glob("test_*.py")):
+            yield folder, lambda folder=folder: run_unittest(folder, options)
+    yield "godot", lambda: run_godot(options)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--engine", default="")
+    parser.add_argument("--suffix", default="")
+    parser.add_argument("--only", default="")
+    parser.add_argument("word", nargs="?", default="")
+    options = parser.parse_args()
+    total = Outcome()
+    for name, suite in suites(options):
+        if options.only and name != options.only:
+            continue
+        started = time.monotonic()
+        outcome = suite()
+        if outcome.failed:
+            print(outcome.text)
+        print(f"{name}: {outcome.passed} passed, {outcome.failed} failed, {time.monotonic() - started:.1f} s", flush=True)
+        total.passed += outcome.passed
+        total.failed += outcome.failed
+    print(f"{total.passed} passed, {total.failed} failed")
+    return 0 if total.failed == 0 and total.passed > 0 else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
