@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "core/geometry/straight_skeleton.h"
+
+// The moving front behind straight_skeleton(): loops of vertices between moving edges. At each event time the whole front is looked at anew,
+// so that events that fall together (every square has four) need no order among themselves.
+namespace pcg {
+
+class Wavefront {
+public:
+	Wavefront(const std::vector<std::vector<glm::dvec2>> &loops, const std::vector<double> &speeds);
+
+	// Moves the front to `max_time` or until nothing is left. False if the events did not end.
+	bool run(double max_time);
+
+	// A place and time where vertices of the front began or ended.
+	struct Node {
+		glm::dvec2 position;
+		double time;
+	};
+	// A piece of the outline of the face of `edge`, directed so that the face lies to its left.
+	struct Border {
+		uint32_t edge;
+		uint32_t from, to; // nodes
+	};
+	const std::vector<Node> &nodes() const { return _nodes; }
+	const std::vector<Border> &borders() const { return _borders; }
+	const std::vector<SkeletonFront> &fronts() const { return _fronts; }
+	uint32_t edge_count() const { return _edge_count; }
+
+private:
+	struct Edge {
+		glm::dvec2 direction; // unit
+		glm::dvec2 normal; // unit, inwards
+		double offset; // normal . p of its line at time 0
+		double speed;
+		uint32_t source; // input edge; no_source for the step between collinear edges of different speed
+	};
+	struct Vertex {
+		uint32_t before_edge, after_edge;
+		uint32_t previous, next; // vertices
+		uint32_t birth; // node
+		glm::dvec2 position; // at _time
+		glm::dvec2 velocity;
+		bool is_active;
+	};
+	static constexpr uint32_t no_source = 0xFFFFFFFF;
+
+	void add_loop(const std::vector<glm::dvec2> &loop, const std::vector<double> &speeds, uint32_t first_edge);
+	void add_steps();
+	uint32_t add_node(glm::dvec2 position);
+	uint32_t add_vertex(uint32_t before_edge, uint32_t after_edge, uint32_t node);
+	void link(uint32_t a, uint32_t b);
+	void set_velocity(Vertex &vertex) const;
+	bool is_reflex(const Vertex &vertex) const;
+	bool is_spike(const Vertex &vertex) const;
+	double length(uint32_t vertex) const;
+	double length_rate(uint32_t vertex) const;
+	double gap(const Vertex &vertex, const Edge &edge) const;
+
+	double next_event(double limit) const;
+	double next_split(const Vertex &vertex, double limit) const;
+	void advance(double time);
+	bool clean_up();
+	bool collapse_one();
+	bool fold_one();
+	bool split_one();
+	void end_vertex(uint32_t vertex, uint32_t node);
+	void add_border(uint32_t edge, uint32_t from, uint32_t to);
+	void split(uint32_t vertex, uint32_t hit, uint32_t node);
+	void swap_links(uint32_t a, uint32_t b, uint32_t node);
+	void remove_dead();
+	void collect_fronts();
+
+	std::vector<Edge> _edges;
+	std::vector<Vertex> _vertices;
+	std::vector<uint32_t> _active;
+	std::vector<Node> _nodes;
+	std::vector<Border> _borders;
+	std::vector<SkeletonFront> _fronts;
+	uint32_t _edge_count = 0;
+	uint32_t _first_node_now = 0; // nodes from here on were made at _time
+	double _time = 0.0;
+	double _tolerance = 1e-9; // metres: 1e-9 of the diagonal
+};
+
+} // namespace pcg
