@@ -28,6 +28,7 @@ enum class ParamKind : uint8_t {
 	WordOrNumber,
 	Predicate, // arrives unevaluated as a Chunk (paper, "Generation of the agendas")
 	Rule, // the name of a rule; arrives as its RuleId
+	Target, // a name that the operation writes to: arrives as ValueType::Attribute or, of a writable variable, ValueType::Variable
 };
 
 struct ParamSpec {
@@ -99,14 +100,15 @@ struct Dialect {
 	std::string_view name; // "cga", "pcg"
 	std::string_view title; // "CGA shape grammar"
 
-	// Locals made by set() and parameters are seen by the rules called after it (PCG), or parameters by their own body only and set() is an
-	// operation of the dialect (CGA).
+	// Dynamic (PCG): locals made by set() and parameters are seen by the rules called after it; a plain `name = expr` is a value that is
+	// evaluated once. Lexical (CGA): parameters are seen by their own body only, set() is an operation of the dialect, a plain
+	// `name = expr` is a function evaluated at every use, and imported files take the importer's attributes of the same name.
 	enum class Locals : uint8_t { Dynamic, Lexical } locals = Locals::Lexical;
 	// A rule call runs the rule (PCG), or is handed to VmHost::call_rule, which makes a new shape (CGA).
 	enum class RuleCalls : uint8_t { Run, ByHost } rule_calls = RuleCalls::Run;
-	// A called name that is nothing: an error (PCG), or a leaf shape with a warning unless it ends in a dot (CGA).
+	// A called name that is nothing: an error (PCG), or a leaf shape with a warning unless it ends in a dot (CGA). The same goes for other
+	// names and for division by zero: an error that ends the run (PCG), or a warning and a harmless value (CGA; x / 0 is infinite).
 	enum class UnknownNames : uint8_t { Error, LeafSymbol } unknown_names = UnknownNames::Error;
-	// How attributes are evaluated again: both dialects do so once, PCG per household, CGA per initial shape.
 	bool has_time_units = false; // 8h30m, 5m, 30s
 
 	std::vector<FunctionSpec> functions;

@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/base/ids.h"
 #include "core/lang/dialect.h"
+#include "core/lang/source.h"
 #include "core/lang/value.h"
 
 // A rule set compiled for one dialect: flat code, no names left to look up while it runs. Immutable after compilation and shared by threads.
@@ -45,6 +47,14 @@ struct RuleInfo {
 	std::vector<Annotation> annotations;
 	bool is_start = false;
 	bool is_leaf_symbol = false; // CGA: a called name without a rule
+	bool has_paper_arrow = false; // written with `->` as in the paper's listings, which CityEngine does not know
+};
+
+// A rule or a function as the interpreter calls it.
+struct Callable {
+	Chunk code = Chunk::None;
+	uint32_t param_count = 0;
+	uint32_t first_slot = 0; // with dynamic locals: the slots of its parameters lie at Program::param_slots[first_slot..]
 };
 
 // `attr` and plain names may be overridden by the host, `const` may not.
@@ -61,8 +71,10 @@ struct AttributeInfo {
 struct BlockEntry {
 	enum class Kind : uint8_t { Body, Repeat, Group } kind = Kind::Body; // Repeat and Group hold a nested block: {..}* and {..}
 	enum class Separator : uint8_t { Each, All, Connected } separator = Separator::Each; // ':' '=' '=:'
-	Chunk head = Chunk::None; // size, predicate, or selector expression; None where the selector is a word
-	uint32_t word = no_symbol; // selector word: symbol in Program::texts ("front", "street.back", "all")
+	// Size, predicate or selector expression. A selector that is one bare name has its symbol in `word` ("front", "street.back", "all"),
+	// and a head too if the rule set defines that name: the dialect's own selectors come first. A split entry without a size has neither.
+	Chunk head = Chunk::None;
+	uint32_t word = no_symbol; // index in Program::texts
 	Chunk body = Chunk::None;
 	uint32_t block = 0; // of Repeat and Group: index in Program::blocks
 	SourcePlace place;
@@ -80,6 +92,8 @@ struct Program {
 	std::vector<Instruction> code;
 	std::vector<SourcePlace> places; // one for each instruction
 	std::vector<Value> constants;
+	std::vector<Callable> callables; // rules first, by RuleId; then user functions
+	std::vector<uint32_t> param_slots;
 	std::deque<Text> texts; // the text table; a symbol is an index here
 	std::vector<RuleInfo> rules;
 	std::vector<AttributeInfo> attributes;
@@ -87,11 +101,18 @@ struct Program {
 	std::vector<BlockEntry> entries;
 	uint32_t slot_count = 0; // dynamic locals
 	std::vector<std::string> slot_names;
-	RuleId start_rule = RuleId::Invalid;
+	uint32_t max_stack = 0; // values that any one chunk needs at most
+	uint64_t fingerprint = 0; // of code and constants: saved runs fit no other program
+	RuleId start_rule = RuleId::Invalid; // the default start; Invalid if none is marked, and in PCG if several are
 	std::deque<std::string> text_storage; // owns what `texts` views
+	std::vector<std::vector<Value>> array_storage; // owns what constant arrays view
+	std::deque<ArrayData> arrays;
+	std::vector<std::shared_ptr<const Source>> sources; // same order as `files`: for the lines in run-time messages
 
 	// Invalid if there is none. Matching is exact.
 	RuleId find_rule(std::string_view name, size_t param_count = 0) const;
+	// The symbol of a text that the rules mention, or no_symbol: for hosts that look names up once per program.
+	uint32_t find_text(std::string_view text) const;
 	// -1 if there is none.
 	int find_attribute(std::string_view name) const;
 };

@@ -7,7 +7,8 @@
 // run that made them, never longer than that run.
 namespace pcg {
 
-enum class ValueType : uint8_t { Void, Number, Bool, Text, Word, Rule, Chunk, Array };
+// Attribute and Variable are names that are written to (ParamKind::Target).
+enum class ValueType : uint8_t { Void, Number, Bool, Text, Word, Rule, Chunk, Array, Attribute, Variable };
 
 // How a number was written where sizes are allowed: 3 (metres), '0.5 (of the scope), ~1 (a weight). CGA reference: op_split.
 enum class SizeKind : uint8_t { Absolute, Relative, Flexible };
@@ -21,7 +22,14 @@ struct Text {
 	uint32_t symbol = no_symbol;
 };
 
-struct ArrayData;
+struct Value;
+
+// Rows of equal length, one behind the other. CGA reference: arrayTypes.
+struct ArrayData {
+	const Value *values = nullptr;
+	uint32_t rows = 1;
+	uint32_t columns = 0;
+};
 
 struct Value {
 	ValueType type = ValueType::Void;
@@ -32,6 +40,7 @@ struct Value {
 		const Text *text;
 		uint32_t word; // index in the parameter's list of words
 		uint32_t rule; // RuleId
+		uint32_t index; // of an Attribute in Program::attributes, of a Variable in Dialect::variables
 		uint32_t chunk; // address of an expression that is evaluated by whoever receives it (a predicate)
 		const ArrayData *array;
 	};
@@ -54,6 +63,14 @@ struct Value {
 		value.text = text_value;
 		return value;
 	}
+	// For the types whose payload is a whole number: Word, Rule, Chunk, Attribute, Variable.
+	static Value of_index(ValueType index_type, uint32_t index_value) {
+		Value value;
+		value.type = index_type;
+		value.index = index_value;
+		return value;
+	}
+	bool is_void() const { return type == ValueType::Void; }
 	bool is_number() const { return type == ValueType::Number; }
 	bool is_bool() const { return type == ValueType::Bool; }
 	bool is_text() const { return type == ValueType::Text; }

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <deque>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,21 +14,23 @@
 #include "core/lang/program.h"
 
 // Runs a program as a stack of frames that can be left and re-entered at any operation: a delayed rule that waits is this object, put aside
-// (paper, "Delayed execution of rules": pairs of a rule and the next item).
+// (paper, "Delayed execution of rules": pairs of a rule and the next item). One Vm serves many runs; what waits is kept as a VmState,
+// which is small.
 namespace pcg {
 
 struct VmLimits {
 	uint32_t max_depth = 1000; // nested rule and function calls
-	uint64_t max_instructions = 50'000'000; // for one run; an endless loop of rules ends here at the latest
+	uint64_t max_steps = 50'000'000; // calls of rules, functions and operations in one run; an endless rule ends here at the latest
+	uint32_t max_stack = 32'768; // values
 };
 
 // The world behind the built-ins. Handlers reach theirs with static_cast<TheirHost &>(vm.host()).
 class VmHost {
 public:
 	virtual ~VmHost() = default;
-	// With Dialect::RuleCalls::ByHost only.
+	// With Dialect::RuleCalls::ByHost only. The arguments live on the interpreter's stack: copy what outlives the call.
 	virtual Flow call_rule(Vm &, RuleId, std::span<const Value>) { return Flow::Next; }
-	// `[` and `]`, beside the interpreter's own saving of locals.
+	// `[` and `]`, beside the interpreter's own saving of locals. Every push is followed by its pop, after an error too.
 	virtual void push_group(Vm &) {}
 	virtual void pop_group(Vm &) {}
 	// Every run-time error of this run, once: file, line, column and message are set. `what` of a household or lot is the host's to add.
@@ -34,23 +39,73 @@ public:
 
 enum class RunState : uint8_t { Finished, Paused, Failed };
 
+// One level of what is running. Group: `[ .. ]`. Native: the border to a handler that evaluates or runs a chunk.
+struct VmFrame {
+	enum class Kind : uint8_t { Rule, Function, Group, Native } kind = Kind::Rule;
+	uint32_t callable = 0; // of Rule and Function: index in Program::callables
+	uint32_t return_address = 0;
+	uint32_t base = 0; // of the caller
+	uint32_t trail_mark = 0;
+};
+
+// What a local was before it was set: undone when its rule or group ends.
+struct VmTrailEntry {
+	uint32_t slot = 0;
+	Value old;
+};
+
+// A paused run as plain data, for saving and for putting aside. Values of type Text hold in `index` a symbol of the program or, from 2^31 on, 2^31 +
+// an index in `texts`; those of type Array an index in `arrays`.
+struct VmState {
+	struct SavedArray {
+		uint32_t rows = 1;
+		uint32_t columns = 0;
+		std::vector<Value> values;
+	};
+	uint64_t fingerprint = 0;
+	uint64_t seed = 0;
+	uint64_t steps = 0;
+	uint64_t random_key = 0;
+	uint64_t random_counter = 0;
+	uint32_t address = 0;
+	uint32_t base = 0;
+	std::vector<VmFrame> frames;
+	std::vector<VmTrailEntry> trail;
+	std::vector<Value> stack;
+	std::vector<Value> slots;
+	std::vector<Value> attributes;
+	std::vector<std::string> texts;
+	std::vector<SavedArray> arrays;
+};
+
 class Vm {
 public:
 	Vm(const Program &program, VmHost &host, VmLimits limits = {});
+	Vm(const Vm &) = delete;
+	Vm &operator=(const Vm &) = delete;
 
 	// A new run: forgets frames, locals, arena and attribute values. Attributes draw from streams of (seed, name), so their values depend
 	// neither on order of use nor on what else the run draws.
 	void begin(uint64_t seed);
+	// Handlers may call it too (CGA: the rule of a new shape); then it cannot pause.
 	RunState call(RuleId rule, std::span<const Value> args = {});
 	// After a Pause. The paused operation counts as done.
 	RunState resume();
-	bool is_paused() const;
+	bool is_paused() const { return _is_paused; }
+	// Ends a paused run for good: groups are popped, locals forgotten.
+	void abandon();
+	// Of a paused run: a copy of it as data, and back into a Vm of the same program and host. False: the state is of another program or damaged.
+	VmState save() const;
+	bool restore(const VmState &state);
 
-	// For handlers: evaluates a predicate, a size, or runs the body of a block entry, with the locals of the caller.
+	// For handlers: evaluates a predicate, a size, or runs the body of a block entry, with the locals of the caller. A body that fails or is
+	// stopped gives Flow::Stop; it cannot pause.
 	Value evaluate(Chunk chunk);
 	Flow run_body(Chunk chunk);
-	// Entries of a block of the running operation.
-	std::span<const BlockEntry> entries(const Block &block) const;
+	// Entries of a block of the running operation, or of a nested block (BlockEntry::block).
+	std::span<const BlockEntry> entries(const Block &block) const {
+		return { _program->entries.data() + block.first_entry, block.entry_count };
+	}
 
 	// For handlers: reports at the place of the running instruction and ends the run. Functions return the Value, operations Flow::Stop.
 	Value fail(std::string_view id, std::string message, std::string hint = {});
@@ -58,27 +113,79 @@ public:
 	void warn(std::string_view id, std::string message, std::string hint = {});
 	bool has_failed() const { return _failed; }
 	SourcePlace place() const;
+	// The rule that runs, Invalid outside of rules.
+	RuleId running_rule() const;
 
 	// Values of attributes; the host's overrides hold for all runs until cleared. False: there is no such attribute or it is `const`.
 	bool override_attribute(std::string_view name, Value value);
+	void clear_overrides();
+	// Evaluates it if that has not happened in this run.
 	Value attribute(int index);
+	// One value per attribute, Void where it was not evaluated yet. A host that keeps copies of its own (CGA: attributes per shape) evaluates them
+	// all at the start, copies this array and puts its copy in place; nullptr puts the interpreter's own back, as begin() does.
+	void evaluate_attributes();
+	Value *attribute_values() { return _attributes; }
+	void use_attributes(Value *values) { _attributes = values != nullptr ? values : _own_attributes.data(); }
 
 	// The stream that rand() draws from; the host may swap it (CGA: one per shape). Starts as Random(seed, 0).
 	Random &random() { return *_random; }
 	void use_random(Random &random) { _random = &random; }
 	// Text that lives until the next begin().
 	const Text *make_text(std::string_view text);
+	const ArrayData *make_array(std::span<const Value> values, uint32_t rows = 1);
 
 	VmHost &host() { return *_host; }
 	const Program &program() const { return *_program; }
 
 private:
+	enum class Stop : uint8_t { Returned, Paused, Stopped };
+
+	Stop run();
+	bool enter(uint32_t callable, uint32_t count, uint32_t return_address, VmFrame::Kind kind);
+	bool enter_native(Chunk chunk);
+	void leave_native(size_t frame_count, uint32_t stack_size, uint32_t address);
+	void unwind_frames(size_t frame_count);
+	void unwind_trail(uint32_t mark);
+	void set_slot(uint32_t slot, const Value &value);
+	bool count_step();
+	Value evaluate_attribute(uint32_t index);
+	Value slow_arithmetic(uint32_t code, const Value &a, const Value &b);
+	Value compare(uint32_t code, const Value &a, const Value &b);
+	bool check_arguments(const std::vector<ParamSpec> &params, std::string_view name, std::span<const Value> values, uint32_t mask);
+	Value make_array_literal(uint32_t count, uint32_t columns, const Value *values);
+	Value index_array(const Value &array, std::span<const Value> indices);
+	RunState finish(Stop stop);
+	Diagnostic diagnostic_here(Severity severity, std::string_view id, std::string message, std::string hint) const;
+
 	const Program *_program;
 	VmHost *_host;
 	VmLimits _limits;
+	uint64_t _seed = 0;
 	Random _own_random;
 	Random *_random = &_own_random;
 	bool _failed = false;
+	bool _is_paused = false;
+	uint32_t _native_depth = 0;
+	uint64_t _steps = 0;
+
+	std::unique_ptr<std::byte[]> _memory; // the stack: never moves, pages are used when they are needed
+	Value *_stack = nullptr;
+	Value *_top = nullptr; // one behind the last value
+	uint32_t _address = 0; // of the next instruction
+	uint32_t _base = 0; // parameters of the running frame begin here
+	std::vector<VmFrame> _frames;
+	std::vector<VmTrailEntry> _trail;
+	std::vector<Value> _slots;
+	std::vector<Value> _own_attributes;
+	std::vector<Value> _overrides;
+	Value *_attributes = nullptr;
+	std::deque<Text> _texts;
+	std::deque<std::string> _text_storage;
+	std::deque<std::string> _override_texts;
+	std::deque<Text> _override_text_values;
+	std::deque<ArrayData> _arrays;
+	std::deque<std::vector<Value>> _array_storage;
+	std::vector<uint32_t> _warned; // addresses, sorted
 };
 
 } // namespace pcg
