@@ -16,7 +16,8 @@ class Agenda {
 public:
 	// Inserts `task` whole. What it overlaps is split in two, trimmed or dropped, on the days of its mask only, the days before and after
 	// included where one of both runs past midnight. A start outside [0, 24 h) is moved with its days (PCG language, section 5); the week
-	// is a circle. False, and nothing changes: end <= start, no days, or longer than 24 h.
+	// is a circle. False, and nothing changes: end <= start, no days, or longer than 24 h. Pieces of one entry that end up equal on
+	// different days are one entry.
 	bool insert(Task task);
 	void clear();
 	const std::vector<Task> &tasks() const { return _tasks; }
@@ -25,7 +26,8 @@ public:
 
 private:
 	std::vector<Task> _tasks;
-	uint16_t _generation = 0;
+	std::vector<Task> _scratch; // kept between insertions, so that they do not allocate
+	uint16_t _generation = 0; // stays at its largest value once that is reached
 };
 
 // A task without a time, waiting for a floating slot (paper, "Floating tasks").

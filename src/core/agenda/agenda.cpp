@@ -1,0 +1,174 @@
+#include "core/agenda/agenda.h"
+
+#include <algorithm>
+#include <array>
+
+namespace pcg {
+
+namespace {
+
+constexpr int32_t day_ms = int32_t(one_day.ms);
+
+// The mask `shift` days later; the week is a circle.
+DayMask rotate_days(DayMask days, int64_t shift) {
+	const int by = int(((shift % 7) + 7) % 7);
+	return DayMask(((days << by) | (days >> (7 - by))) & all_days);
+}
+
+// A span of time relative to 0h of one day.
+struct Span {
+	int32_t start;
+	int32_t end;
+};
+
+// What is left of an old entry on those of its days on which the same occurrences of the new one fall.
+class Remains {
+public:
+	explicit Remains(Span whole) : _spans{ whole }, _count(1) {}
+
+	// At most three cuts: the new entry's occurrence of the day before, of the same day and of the day after.
+	void cut(Span hole) {
+		std::array<Span, 4> kept{};
+		size_t count = 0;
+		for (size_t i = 0; i < _count; ++i) {
+			const Span span = _spans[i];
+			const Span before{ span.start, std::min(span.end, hole.start) };
+			const Span after{ std::max(span.start, hole.end), span.end };
+			if (before.end > before.start) {
+				kept[count++] = before;
+			}
+			if (after.end > after.start) {
+				kept[count++] = after;
+			}
+		}
+		_spans = kept;
+		_count = count;
+	}
+	const Span *begin() const { return _spans.data(); }
+	const Span *end() const { return _spans.data() + _count; }
+
+private:
+	std::array<Span, 4> _spans;
+	size_t _count;
+};
+
+bool comes_before(const Task &a, const Task &b) {
+	return a.start_ms != b.start_ms ? a.start_ms < b.start_ms : a.days < b.days;
+}
+
+// Brings the start into [0, 24 h), moving the days along.
+void normalize(Task &task) {
+	int32_t shift = task.start_ms / day_ms;
+	if (task.start_ms % day_ms < 0) {
+		--shift;
+	}
+	task.start_ms -= shift * day_ms;
+	task.end_ms -= shift * day_ms;
+	task.days = rotate_days(task.days, shift);
+}
+
+bool is_same_but_for_days(const Task &a, const Task &b) {
+	return a.start_ms == b.start_ms && a.end_ms == b.end_ms && a.kind == b.kind && a.target == b.target &&
+			a.origin == b.origin;
+}
+
+// Pieces that differ by their days only become one entry again.
+void add_piece(std::vector<Task> &tasks, const Task &piece) {
+	const bool can_join = piece.days != all_days;
+	for (size_t i = 0; can_join && i < tasks.size(); ++i) {
+		Task &task = tasks[i];
+		if (is_same_but_for_days(task, piece)) {
+			task.days |= piece.days;
+			task.generation = std::max(task.generation, piece.generation);
+			return;
+		}
+	}
+	tasks.push_back(piece);
+}
+
+// Where one occurrence of `task`, `shift` days away, lies relative to 0h of a day.
+Span occurrence(const Task &task, int shift) {
+	return { task.start_ms + shift * day_ms, task.end_ms + shift * day_ms };
+}
+
+bool overlaps(const Task &old, Span hole) { return hole.start < old.end_ms && old.start_ms < hole.end; }
+
+// Adds what `newest` leaves of `old` to `kept`. An entry lasts at most 24 h, so only the days next to a day matter.
+void keep_remains(std::vector<Task> &kept, const Task &old, const Task &newest) {
+	std::array<DayMask, 3> hit{}; // days of `old` on which the occurrence -1, 0, +1 days away cuts it
+	for (int shift = -1; shift <= 1; ++shift) {
+		if (overlaps(old, occurrence(newest, shift))) {
+			hit[size_t(shift + 1)] = old.days & rotate_days(newest.days, -shift);
+		}
+	}
+	if ((hit[0] | hit[1] | hit[2]) == 0) {
+		add_piece(kept, old);
+		return;
+	}
+	for (unsigned cuts = 0; cuts < 8; ++cuts) {
+		DayMask days = old.days;
+		Remains remains({ old.start_ms, old.end_ms });
+		for (int i = 0; i < 3; ++i) {
+			const bool is_cut = (cuts >> i) & 1u;
+			days &= is_cut ? hit[size_t(i)] : DayMask(~hit[size_t(i)]);
+			if (is_cut && days != 0) {
+				remains.cut(occurrence(newest, i - 1));
+			}
+		}
+		if (days == 0) {
+			continue;
+		}
+		for (const Span &span : remains) {
+			Task piece = old;
+			piece.start_ms = span.start;
+			piece.end_ms = span.end;
+			piece.days = days;
+			normalize(piece);
+			add_piece(kept, piece);
+		}
+	}
+}
+
+} // namespace
+
+bool Agenda::insert(Task task) {
+	task.days &= all_days;
+	const int64_t length = int64_t(task.end_ms) - task.start_ms;
+	if (task.days == 0 || length <= 0 || length > one_day.ms) {
+		return false;
+	}
+	normalize(task);
+	if (_generation < UINT16_MAX) {
+		++_generation;
+	}
+	task.generation = _generation;
+	_scratch.clear();
+	for (const Task &old : _tasks) {
+		keep_remains(_scratch, old, task);
+	}
+	add_piece(_scratch, task);
+	_tasks.swap(_scratch);
+	std::sort(_tasks.begin(), _tasks.end(), comes_before);
+	return true;
+}
+
+void Agenda::clear() {
+	_tasks.clear();
+	_generation = 0;
+}
+
+const Task *Agenda::at(int weekday, Duration time_of_day) const {
+	const DayMask today = DayMask(1u << weekday);
+	const DayMask yesterday = rotate_days(today, -1);
+	const int64_t now = time_of_day.ms;
+	for (const Task &task : _tasks) {
+		const bool holds_today = (task.days & today) && task.start_ms <= now && now < task.end_ms;
+		const bool holds_since_yesterday = (task.days & yesterday) && now + day_ms < task.end_ms;
+		if (holds_today || holds_since_yesterday) {
+			return &task;
+		}
+	}
+	return nullptr;
+}
+
+} // namespace pcg

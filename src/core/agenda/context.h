@@ -1,0 +1,88 @@
+#pragma once
+
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "core/base/ids.h"
+#include "core/lang/program.h"
+#include "core/lang/vm.h"
+#include "core/population/population.h"
+#include "core/ports/path_provider.h"
+#include "core/semantics/city_model.h"
+
+// What the built-ins of agenda rules see of the world, in both phases: while agendas are written (GenerationContext) and while a delayed
+// rule runs (the simulation derives its own).
+namespace pcg::agenda {
+
+// What all runs of one program on one city share. Read-only, so threads share it too; the pointed-to objects outlive it.
+struct World {
+	const Program *program = nullptr;
+	const CityModel *city = nullptr;
+	const PathProvider *paths = nullptr;
+	const Population *population = nullptr;
+	std::vector<TypeId> type_of_symbol; // by symbol of Program::texts: type names are looked up once, not once per household
+};
+
+// Asks for all type names of the program's texts; make it anew when types were added to the city.
+World make_world(const Program &program, const CityModel &city, const PathProvider &paths, const Population &population);
+
+class Context : public VmHost {
+public:
+	explicit Context(const World &world) : _world(&world) {}
+
+	const World &world() const { return *_world; }
+	const CityModel &city() const { return *_world->city; }
+	const PathProvider &paths() const { return *_world->paths; }
+	const Population &population() const { return *_world->population; }
+
+	// Whose rules run. The focus is part of it: changing the household clears the focus.
+	HouseholdId household_id() const { return _household; }
+	const Household &household() const { return population().household(_household); }
+	void set_household(HouseholdId id);
+	// Invalid while nobody is focused.
+	PersonId focus() const { return _focus; }
+	void set_focus(PersonId id) { _focus = id; }
+	size_t member_count() const { return household().member_count; }
+	PersonId member(size_t i) const { return PersonId(index_of(household().first_member) + uint32_t(i)); }
+
+	// Operations of the other phase are disregarded (PCG language, sections 5 and 6).
+	virtual bool is_simulating() const = 0;
+	// `day` (0 Monday .. 6 Sunday) and `time` (seconds of the day); may fail through the Vm.
+	virtual Value day(Vm &vm) = 0;
+	virtual Value time(Vm &vm) = 0;
+	// Where the focused person is; at home while agendas are written. False: nowhere known (no home, no entrance).
+	virtual bool present_position(glm::vec3 &position) const = 0;
+	// Whether somebody could still use the object. While agendas are written all are free.
+	virtual bool has_free_place(ObjectId object) const = 0;
+
+	// The type that a text argument names; Invalid if the city has none of that name.
+	TypeId find_type(const Text &text) const;
+
+private:
+	const World *_world;
+	HouseholdId _household = HouseholdId::Invalid;
+	PersonId _focus = PersonId::Invalid;
+};
+
+// The context behind a built-in's handler.
+inline Context &context_of(Vm &vm) { return static_cast<Context &>(vm.host()); }
+
+// The focus is set to a member for the evaluation of a predicate or the body of `members`, and put back.
+class FocusScope {
+public:
+	explicit FocusScope(Context &context) : _context(context), _saved(context.focus()) {}
+	~FocusScope() { _context.set_focus(_saved); }
+	FocusScope(const FocusScope &) = delete;
+	FocusScope &operator=(const FocusScope &) = delete;
+	void focus(PersonId id) { _context.set_focus(id); }
+
+private:
+	Context &_context;
+	PersonId _saved;
+};
+
+// Fails the run unless somebody is focused: `what` names the built-in that asks.
+bool require_focus(Vm &vm, std::string_view what);
+
+} // namespace pcg::agenda
