@@ -1,0 +1,74 @@
+#include "core/sim/day_plan.h"
+
+namespace pcg {
+
+namespace {
+
+constexpr int64_t week_days = 7;
+
+bool is_on(const Task &task, int64_t day) {
+	const int weekday = int(((day % week_days) + week_days) % week_days);
+	return (task.days >> weekday) & 1;
+}
+
+PlannedEntry on_day(std::span<const Task> tasks, size_t index, int64_t day) {
+	const Task &task = tasks[index];
+	return { SimTime::at(day, task.start()), SimTime::at(day, task.end()), task.target, uint16_t(index), task.kind };
+}
+
+PlannedEntry hole_at(std::span<const Task> tasks, SimTime time) {
+	const Duration week{ week_days * one_day.ms };
+	PlannedEntry result;
+	result.start = time - week;
+	result.end = time + week;
+	for (const Task &task : tasks) {
+		for (int64_t day = time.day() - week_days - 1; day <= time.day() + week_days; ++day) {
+			if (!is_on(task, day)) {
+				continue;
+			}
+			const SimTime start = SimTime::at(day, task.start());
+			const SimTime end = SimTime::at(day, task.end());
+			if (start > time && start < result.end) {
+				result.end = start;
+			} else if (end <= time && end > result.start) {
+				result.start = end;
+			}
+		}
+	}
+	return result;
+}
+
+} // namespace
+
+PlannedEntry planned_entry_at(std::span<const Task> tasks, SimTime time) {
+	const int64_t today = time.day();
+	const int64_t since_midnight = time.time_of_day().ms;
+	for (size_t i = 0; i < tasks.size(); ++i) {
+		const Task &task = tasks[i];
+		if (task.start_ms <= since_midnight && since_midnight < task.end_ms && is_on(task, today)) {
+			return on_day(tasks, i, today);
+		}
+		if (since_midnight + one_day.ms < task.end_ms && is_on(task, today - 1)) {
+			return on_day(tasks, i, today - 1);
+		}
+	}
+	return hole_at(tasks, time);
+}
+
+std::string_view task_kind_name(TaskKind kind) {
+	switch (kind) {
+		case TaskKind::StayInside:
+			return "stayInside";
+		case TaskKind::GoToBuilding:
+			return "goToBuilding";
+		case TaskKind::Accompany:
+			return "accompany";
+		case TaskKind::DelayedRule:
+			return "delayedRule";
+		case TaskKind::FloatingSlot:
+			return "floatingSlot";
+	}
+	return "";
+}
+
+} // namespace pcg

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include <glm/vec3.hpp>
+
+#include "core/base/sim_time.h"
+#include "core/ports/agent_host.h"
+#include "core/sim/observer.h"
+
+namespace pcg {
+
+constexpr SimTime never{ std::numeric_limits<int64_t>::max() };
+
+// Whose wish a walk is: who goes on when it ends.
+enum class Purpose : uint8_t {
+	Agenda, // an entry; nobody waits for the arrival
+	Rule, // a delayed rule: it is resumed
+	Pickup, // a group's leader on the way to members
+	Group, // a group on the way to its goal
+};
+
+// What the simulation keeps of each person, on the way or not. A million of them must fit: see the assertion.
+struct PersonRecord {
+	static constexpr uint32_t none = 0xFFFFFFFF;
+
+	SimTime due = never; // when what the person does by itself is over: an arrival, a wait
+	SimTime entry_start;
+	SimTime entry_end; // when the next entry begins
+	SimTime rule_end = never; // when the running rule is cut short, at most entry_end
+	SimTime since; // begin of the present span
+	SimTime queued = never; // the moment in the queue that holds; others of this person are out of date
+	glm::vec3 position{ 0.0f }; // where it stands, or the door it went in by, or where the walk began
+	uint32_t place = none; // index of what it is at, or walks to; see place_kind
+	uint32_t walk = none; // in the WalkPool
+	uint32_t behavior = none; // of the running rule
+	uint32_t party = none; // of the group walk that it is called to
+	uint32_t entry_target = none;
+	float first_metre = 0.0f; // of the walk, at the begin of the present span
+	uint16_t entry_task = PlannedEntry::hole;
+	PersonState state = PersonState::Inside;
+	Target::Kind place_kind = Target::Kind::None;
+	Purpose purpose = Purpose::Agenda;
+	AgentPose pose = AgentPose::Stand;
+	TaskKind entry_kind = TaskKind::StayInside;
+	uint8_t object_place = 0xFF; // reserved place of `reserved_object`
+	uint32_t reserved_object = none;
+	bool is_ready = false; // for the group walk: has stopped doing other things
+	bool is_collected = false; // by the leader of the group
+	bool is_late_noted = false;
+
+	Target target() const { return { place_kind, place }; }
+	PlannedEntry entry() const { return { entry_start, entry_end, entry_target, entry_task, entry_kind }; }
+};
+static_assert(sizeof(PersonRecord) <= 112);
+
+} // namespace pcg

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/ids.h"
+#include "core/semantics/city_model.h"
+
+namespace pcg {
+
+// Who holds which place of which object: one person a place, from goToObject on (PCG language, section 6).
+class Reservations {
+public:
+	static constexpr uint8_t none = 0xFF; // objects with more places use the first 255
+
+	// Takes in what was added to the city since; keeps what is held.
+	void update(const CityModel &city);
+	void clear();
+	// The lowest free place of the object, now held by the person; `none` if there is none, or no such object.
+	uint8_t take(const CityModel &city, ObjectId object, PersonId person);
+	void release(ObjectId object, uint8_t place);
+	bool is_free(const CityModel &city, ObjectId object) const;
+	// Invalid when free.
+	PersonId holder(ObjectId object, uint8_t place) const;
+
+private:
+	std::vector<uint32_t> _first_place; // object count + 1
+	std::vector<PersonId> _holders;
+};
+
+} // namespace pcg

@@ -1,0 +1,227 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "core/agenda/agenda.h"
+#include "core/base/diagnostic.h"
+#include "core/lang/program.h"
+#include "core/population/population.h"
+#include "core/ports/agent_host.h"
+#include "core/ports/path_provider.h"
+#include "core/semantics/city_model.h"
+#include "core/sim/day_plan.h"
+#include "core/sim/event_queue.h"
+#include "core/sim/observer.h"
+#include "core/sim/person_record.h"
+#include "core/sim/reservations.h"
+#include "core/sim/walk_pool.h"
+
+// Lives the agendas of a population (PCG language, sections 5 to 8; paper, "Procedural behavior simulation"). Driven by events: a step costs
+// what happens in it, not how many people exist. Everything repeats to the bit for the same seed, whatever the steps.
+namespace pcg {
+
+class Behavior;
+
+struct SimulationSettings {
+	uint64_t seed = 1; // the one that the agendas were generated with, so that attributes keep their values
+	Duration patience = Duration::minutes(30); // how long members of a group wait for each other
+	std::vector<std::pair<std::string, Value>> attributes; // overrides, as given to the generation
+	bool has_live_bodies = true; // false: AgentHost is never called
+};
+
+struct SimulationStatistics {
+	uint64_t trips = 0; // walks that reached their goal, counted per walker
+	uint64_t late_arrivals = 0; // by more than a second
+	uint32_t outside = 0; // now
+	uint32_t peak_outside = 0;
+	SimTime peak_time; // the first moment of the peak
+	uint64_t handled_moments = 0; // taken from the queue: what the work is proportional to
+	std::array<uint64_t, sim_event_kind_count> events{}; // by SimEventKind
+
+	uint64_t count(SimEventKind kind) const { return events[size_t(kind)]; }
+};
+
+// What somebody does right now. Spans and references hold until the simulation moves on.
+struct PersonView {
+	PersonState state = PersonState::Inside;
+	Target place; // the building, object or zone where it is; of a walk: where it leads
+	uint8_t object_place = Reservations::none; // index in CityObject::places, when using one
+	AgentPose pose = AgentPose::Stand;
+	glm::vec3 position{ 0.0f };
+	glm::vec3 facing{ 0.0f, 0.0f, 1.0f };
+	SimTime since;
+	SimTime arrival; // of a walk
+	float speed = 0.0f; // of a walk, m/s
+	std::span<const glm::vec3> path; // of a walk, whole
+	PersonId leader = PersonId::Invalid; // of the group that the person is in
+	PlannedEntry entry; // under which all this happens; late people may still be busy with one that is over
+};
+
+class Simulation {
+public:
+	// All that is referred to outlives the simulation. `program` may be null where no agenda has rules to run. Members of one group must be of one
+	// household. Nobody lives before start().
+	Simulation(const CityModel &city, const PathProvider &paths, const Population &population, const AgendaSet &agendas,
+			std::shared_ptr<const Program> program, SimulationSettings settings, AgentHost &host);
+	~Simulation();
+	Simulation(const Simulation &) = delete;
+	Simulation &operator=(const Simulation &) = delete;
+
+	// Places everybody where the agendas want them at that time.
+	void start(SimTime time);
+	// Handles all that is due up to and including `time`; earlier than now(): nothing.
+	void advance_to(SimTime time);
+	void step(Duration duration) { advance_to(_now + duration); }
+	// Places everybody anew (PCG language, section 8; paper, Algorithm 2), forwards or backwards. The result depends on (seed, time) only.
+	void jump_to(SimTime time);
+	// Reports everybody's present span to the observers as if it ended now; the life goes on in a new one. For the end of a log.
+	void flush_lived();
+	SimTime now() const { return _now; }
+	// When the next thing is due; now() + 7 days at the latest.
+	SimTime next_due() const;
+
+	size_t person_count() const { return _persons.size(); }
+	PersonState state(PersonId id) const { return _persons[index_of(id)].state; }
+	glm::vec3 position(PersonId id) const;
+	PersonView view(PersonId id) const;
+	bool is_outside(PersonId id) const { return state(id) != PersonState::Inside; }
+	uint32_t outside_count() const { return _statistics.outside; }
+	// Persons inside a building, by count, and by name in order of id (takes time proportional to the population).
+	uint32_t inside_count(BuildingId building) const;
+	std::vector<PersonId> persons_inside(BuildingId building) const;
+	std::vector<PersonId> persons_outside() const;
+	bool is_place_free(ObjectId object) const { return _reservations.is_free(_city, object); }
+
+	const SimulationStatistics &statistics() const { return _statistics; }
+	// Run-time errors of delayed rules and the like.
+	const Diagnostics &diagnostics() const { return _diagnostics; }
+
+	// Told in the order of adding. Must outlive the simulation or be removed.
+	void add_observer(SimulationObserver &observer) { _observers.push_back(&observer); }
+	void remove_observer(SimulationObserver &observer);
+
+	const CityModel &city() const { return _city; }
+	const PathProvider &paths() const { return _paths; }
+	const Population &population() const { return _population; }
+	const AgendaSet &agendas() const { return _agendas; }
+
+private:
+	friend class Behavior;
+	struct Party;
+
+	// simulation.cpp: the loop
+	PersonRecord &record(PersonId id) { return _persons[index_of(id)]; }
+	const PersonRecord &record(PersonId id) const { return _persons[index_of(id)]; }
+	void run_queue(EventQueue &queue, SimTime until);
+	void wake(PersonId id);
+	void on_due(PersonId id);
+	void schedule(PersonId id);
+	SimTime next_moment(PersonId id) const;
+	void take_in_city_edits();
+
+	// simulation_report.cpp: what observers and hosts hear
+	void emit(PersonId id, SimEventKind kind, Target place = {});
+	void close_span(PersonId id);
+	void count_outside(int change);
+	void show_standing(PersonId id);
+
+	// simulation_walk.cpp
+	bool set_out(PersonId id, Target goal, Purpose purpose);
+	std::vector<glm::vec3> find_way(PersonId id, Target goal) const;
+	std::vector<glm::vec3> way_between(std::span<const glm::vec3> from, std::span<const glm::vec3> to) const;
+	void begin_walk(PersonId id, uint32_t walk, Target goal, Purpose purpose);
+	void stop_walk(PersonId id);
+	void arrive(PersonId id);
+	void leave_building(PersonId id, glm::vec3 exit);
+	void enter_building(PersonId id, BuildingId building, glm::vec3 door);
+	void stand(PersonId id, PersonState state, Target place, glm::vec3 position);
+	void use_place(PersonId id, ObjectId object, uint8_t place, AgentPose pose);
+	void release_place(PersonId id);
+	bool goal_position(PersonId id, Target goal, glm::vec3 &position) const;
+
+	// simulation_tasks.cpp: entries of the agenda
+	void begin_entry(PersonId id);
+	void begin_stay(PersonId id, BuildingId building);
+	void begin_rule(PersonId id, RuleId rule, SimTime end);
+	void begin_slot(PersonId id);
+	void end_rule(PersonId id, bool is_cut);
+	void idle_until_next(PersonId id);
+	void note_lateness(PersonId id);
+	uint32_t choose_floating_task(PersonId id) const;
+
+	// simulation_behavior.cpp: delayed rules while they run
+	void resume_rule(PersonId id);
+	void after_rule_ran(PersonId id);
+	uint32_t borrow_behavior();
+	void drop_behavior(PersonId id);
+
+	// simulation_groups.cpp
+	void begin_accompany(PersonId id, uint32_t group);
+	uint32_t call_party(uint32_t group, PersonId caller);
+	bool is_expected(PersonId id, uint32_t group, SimTime around) const;
+	void become_ready(PersonId id);
+	void lead_on(uint32_t party);
+	bool is_with_leader(const Party &party, PersonId id) const;
+	bool collect_here(uint32_t party);
+	void go_for_next(uint32_t party);
+	void walk_to_goal(uint32_t party);
+	bool walk_together(uint32_t party, Target goal, Purpose purpose);
+	void party_arrived(uint32_t party);
+	void pickup_reached(uint32_t party);
+	void lose_patience(PersonId id);
+	void go_alone(PersonId id);
+	void dissolve(uint32_t party);
+	void leave_party(PersonId id);
+
+	// time_jump.cpp
+	void place_everybody(SimTime time);
+	void replay_household(HouseholdId household, SimTime time);
+	SimTime find_anchor(HouseholdId household, SimTime time) const;
+	bool is_settled(PersonId id, SimTime time, BuildingId &building) const;
+	void put_inside(PersonId id, BuildingId building, SimTime time);
+	void show_everybody();
+	void hide_everybody();
+	void reset();
+
+	const CityModel &_city;
+	const PathProvider &_paths;
+	const Population &_population;
+	const AgendaSet &_agendas;
+	std::shared_ptr<const Program> _program;
+	SimulationSettings _settings;
+	AgentHost *_host;
+
+	SimTime _now;
+	bool _has_started = false;
+	bool _is_replaying = false; // during a jump: nobody is told anything
+	Duration _settling; // longer than any walk through this city takes
+	uint64_t _city_revision = 0;
+	EventQueue _queue;
+	EventQueue _replay_queue;
+	EventQueue *_active_queue = &_queue;
+	std::vector<PersonRecord> _persons;
+	std::vector<uint32_t> _inside_counts; // by BuildingId
+	std::vector<int32_t> _floating_taken; // by index in AgendaSet::floating_tasks: the day on which it left the pool
+	std::vector<uint32_t> _party_of_group; // by group
+	std::vector<Party> _parties;
+	std::vector<uint32_t> _free_parties;
+	WalkPool _walks;
+	Reservations _reservations;
+	struct BehaviorWorld;
+	std::unique_ptr<BehaviorWorld> _behavior_world;
+	std::vector<std::unique_ptr<Behavior>> _behaviors;
+	std::vector<uint32_t> _free_behaviors;
+	std::vector<SimulationObserver *> _observers;
+	SimulationStatistics _statistics;
+	Diagnostics _diagnostics;
+};
+
+} // namespace pcg

@@ -1,0 +1,72 @@
+#include "core/sim/walk_pool.h"
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
+namespace pcg {
+
+double Walk::metres_at(SimTime time) const {
+	return time >= arrival ? length : std::clamp((time - departure).in_seconds() * double(speed), 0.0, length);
+}
+
+glm::vec3 Walk::position_at(SimTime time) const { return point_along(points, metres_at(time)); }
+
+glm::vec3 point_along(const std::vector<glm::vec3> &points, double metres, glm::vec3 *direction) {
+	double left = metres;
+	for (size_t i = 0; i + 1 < points.size(); ++i) {
+		const double length = double(glm::distance(points[i], points[i + 1]));
+		const bool is_last = i + 2 == points.size();
+		if (left <= length || is_last) {
+			const double share = length > 0.0 ? std::clamp(left / length, 0.0, 1.0) : 1.0;
+			if (direction && length > 0.0) {
+				*direction = (points[i + 1] - points[i]) / float(length);
+			}
+			return share >= 1.0 ? points[i + 1] : points[i] + (points[i + 1] - points[i]) * float(share);
+		}
+		left -= length;
+	}
+	return points.empty() ? glm::vec3(0.0f) : points.back();
+}
+
+double path_length(const std::vector<glm::vec3> &points) {
+	double sum = 0.0;
+	for (size_t i = 0; i + 1 < points.size(); ++i) {
+		sum += double(glm::distance(points[i], points[i + 1]));
+	}
+	return sum;
+}
+
+uint32_t WalkPool::add(std::vector<glm::vec3> points, SimTime departure, float speed, uint32_t walkers) {
+	uint32_t index = uint32_t(_walks.size());
+	if (_free.empty()) {
+		_walks.emplace_back();
+		_free.reserve(_walks.capacity());
+	} else {
+		index = _free.back();
+		_free.pop_back();
+	}
+	Walk &walk = _walks[index];
+	walk.points = std::move(points);
+	walk.length = path_length(walk.points);
+	walk.departure = departure;
+	walk.arrival = departure + Duration::seconds(walk.length / double(speed));
+	walk.speed = speed;
+	walk.walkers = walkers;
+	return index;
+}
+
+void WalkPool::leave(uint32_t index) {
+	Walk &walk = _walks[index];
+	if (--walk.walkers == 0) {
+		walk.points = {};
+		_free.push_back(index);
+	}
+}
+
+void WalkPool::clear() {
+	_walks.clear();
+	_free.clear();
+}
+
+} // namespace pcg
