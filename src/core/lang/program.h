@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/diagnostic.h"
 #include "core/base/ids.h"
 #include "core/lang/dialect.h"
 #include "core/lang/source.h"
@@ -116,5 +117,8 @@ struct Program {
 	// -1 if there is none.
 	int find_attribute(std::string_view name) const;
 };
+
+// For hosts that need a default start: `start_rule`, or an error that names the rules marked @StartRule (PCG language, section 1).
+RuleId require_start_rule(const Program &program, Diagnostics &diagnostics);
 
 } // namespace pcg
