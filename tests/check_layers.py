@@ -11,7 +11,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 BASE = ["core/base"]
 EVERY_ROOM = ["core/base", "core/geometry", "core/lang", "core/semantics", "core/navigation", "core/ports", "core/cga",
-              "core/city", "core/population", "core/agenda", "core/sim", "core/io"]
+              "core/city", "core/population", "core/agenda", "core/sim", "core/figure", "core/io"]
 
 # Folder -> what it may include besides itself: folders, or single headers where only those are meant.
 MAY_INCLUDE = {
@@ -19,11 +19,12 @@ MAY_INCLUDE = {
     "core/geometry": BASE,
     "core/lang": BASE,
     "core/semantics": BASE + ["core/geometry"],
-    "core/navigation": BASE + ["core/geometry"],
+    "core/navigation": BASE + ["core/geometry", "core/semantics", "core/ports"],
     "core/ports": BASE + ["core/geometry", "core/semantics"],
     "core/cga": BASE + ["core/lang", "core/geometry", "core/semantics", "core/ports"],
-    "core/city": BASE + ["core/cga", "core/semantics", "core/ports", "core/geometry", "core/lang/rule_set.h"],
+    "core/city": BASE + ["core/cga", "core/semantics", "core/navigation", "core/ports", "core/geometry", "core/lang"],
     "core/population": BASE + ["core/semantics"],
+    "core/figure": BASE,
     "core/agenda": BASE + ["core/lang", "core/population", "core/semantics", "core/ports"],
     "core/sim": BASE + ["core/agenda", "core/population", "core/semantics", "core/navigation", "core/lang", "core/ports"],
     "core/io": EVERY_ROOM,
