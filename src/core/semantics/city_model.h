@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,7 @@ public:
 
 private:
 	std::deque<std::string> _names;
+	std::map<std::string, TypeId, std::less<>> _ids;
 };
 
 // A typed door (paper, "entrance"). People walk to `position` and vanish into the building.
@@ -77,13 +79,17 @@ public:
 	ZoneId add_zone(Zone zone);
 	ObjectId add_object(CityObject object); // gets one place at its position if it has none
 
-	// Edits by hand. Each counts `revision` up; whoever caches something derived compares it.
+	// Edits by hand. Each counts `revision` up; whoever caches something derived compares it. Ids that name nothing are ignored.
 	void move_entrance(EntranceId id, glm::vec3 position, glm::vec3 facing);
-	void move_object(ObjectId id, glm::vec3 position);
+	void move_zone(ZoneId id, std::vector<glm::vec3> polygon, float height);
+	void move_object(ObjectId id, glm::vec3 position); // its places come along
 	void remove_entrance(EntranceId id);
 	void remove_zone(ZoneId id);
 	void remove_object(ObjectId id);
 	void remove_building(BuildingId id); // and its entrances
+	// Removes the lot's zones, objects and entrances, but keeps its buildings, so that a lot that is made anew can hang its entrances on
+	// them and its residents keep their address. Without new entrances such a building should be removed too.
+	void clear_lot(LotId lot);
 	uint64_t revision() const { return _revision; }
 
 	const std::vector<Building> &buildings() const { return _buildings; }
@@ -95,6 +101,8 @@ public:
 	const Zone &zone(ZoneId id) const { return _zones[index_of(id)]; }
 	const CityObject &object(ObjectId id) const { return _objects[index_of(id)]; }
 
+	// The first building of the lot that is not removed; Invalid if there is none.
+	BuildingId building_of_lot(LotId lot) const;
 	// Buildings with an entrance of the type, in order of id, without removed ones. An unknown type has none.
 	const std::vector<BuildingId> &buildings_of_type(TypeId type) const;
 	const std::vector<ObjectId> &objects_of_type(TypeId type) const;
@@ -105,13 +113,14 @@ public:
 	uint32_t capacity(BuildingId building, TypeId type) const;
 
 private:
-	void touch();
+	void index_building(BuildingId building, TypeId type);
+	void unindex_building(BuildingId building, TypeId type);
 
 	std::vector<Building> _buildings;
 	std::vector<Entrance> _entrances;
 	std::vector<Zone> _zones;
 	std::vector<CityObject> _objects;
-	std::vector<std::vector<BuildingId>> _buildings_of_type; // by TypeId, kept by touch()
+	std::vector<std::vector<BuildingId>> _buildings_of_type; // by TypeId, sorted, as are the next two
 	std::vector<std::vector<ObjectId>> _objects_of_type;
 	std::vector<std::vector<ZoneId>> _zones_of_type;
 	uint64_t _revision = 0;

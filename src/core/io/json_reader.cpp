@@ -1,0 +1,174 @@
+#include "core/io/json_reader.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcg {
+
+namespace {
+
+using Json = nlohmann::json;
+
+// Builds nothing; only learns where a text stops being JSON.
+class ErrorFinder : public nlohmann::json_sax<Json> {
+public:
+	bool null() override { return true; }
+	bool boolean(bool) override { return true; }
+	bool number_integer(number_integer_t) override { return true; }
+	bool number_unsigned(number_unsigned_t) override { return true; }
+	bool number_float(number_float_t, const string_t &) override { return true; }
+	bool string(string_t &) override { return true; }
+	bool binary(binary_t &) override { return true; }
+	bool start_object(size_t) override { return true; }
+	bool key(string_t &) override { return true; }
+	bool end_object() override { return true; }
+	bool start_array(size_t) override { return true; }
+	bool end_array() override { return true; }
+	bool parse_error(size_t position, const std::string &, const nlohmann::detail::exception &exception) override {
+		at = position;
+		reason = exception.what();
+		return false;
+	}
+
+	size_t at = 0; // bytes read, the offending one included
+	std::string reason;
+};
+
+// "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error while .." without what we say ourselves.
+std::string plain_reason(const std::string &reason) {
+	const size_t place = reason.find("column ");
+	const size_t colon = place == std::string::npos ? place : reason.find(": ", place);
+	const std::string text = colon == std::string::npos ? reason : reason.substr(colon + 2);
+	return text.size() > 300 ? text.substr(0, 300) + " .." : text;
+}
+
+Diagnostic parse_diagnostic(std::string_view text, const std::string &file, const ErrorFinder &finder) {
+	const size_t at = std::min(finder.at > 0 ? finder.at - 1 : 0, text.size());
+	const std::string_view before = text.substr(0, at);
+	const size_t line_start = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
+	const size_t line_end = std::min(text.find('\n', at), text.size());
+	Diagnostic diagnostic{ Severity::Error, "bad-json", file, 0, 0, "this is not JSON: " + plain_reason(finder.reason), {}, {} };
+	diagnostic.line = uint32_t(1 + std::count(before.begin(), before.end(), '\n'));
+	diagnostic.column = uint32_t(at - line_start + 1);
+	diagnostic.source = std::string(text.substr(line_start, line_end - line_start));
+	return diagnostic;
+}
+
+std::string number_text(double value) {
+	char text[32];
+	std::snprintf(text, sizeof(text), "%.10g", value);
+	return text;
+}
+
+} // namespace
+
+std::optional<Json> parse_json(std::string_view text, const std::string &file, Diagnostics &diagnostics) {
+	ErrorFinder finder;
+	if (!Json::sax_parse(text.begin(), text.end(), &finder)) {
+		diagnostics.add(parse_diagnostic(text, file, finder));
+		return std::nullopt;
+	}
+	Json document = Json::parse(text.begin(), text.end(), nullptr, false);
+	if (document.is_discarded()) {
+		diagnostics.add({ Severity::Error, "bad-json", file, 0, 0, "this is not JSON", {}, {} });
+		return std::nullopt;
+	}
+	return document;
+}
+
+bool JsonValue::is_object() const {
+	if (!_value->is_object()) {
+		error("expected an object { .. }");
+	}
+	return _value->is_object();
+}
+
+std::optional<std::string> JsonValue::text() const {
+	if (!_value->is_string() || _value->get_ref<const std::string &>().empty()) {
+		error("expected a text in quotes that is not empty");
+		return std::nullopt;
+	}
+	return _value->get<std::string>();
+}
+
+std::optional<double> JsonValue::number(double low, double high) const {
+	if (_value->is_number()) {
+		const double number = _value->get<double>();
+		if (number >= low && number <= high) {
+			return number;
+		}
+	}
+	error("expected a number from " + number_text(low) + " to " + number_text(high));
+	return std::nullopt;
+}
+
+std::optional<int64_t> JsonValue::whole_number(int64_t low, int64_t high) const {
+	const bool is_too_large = _value->is_number_unsigned() && _value->get<uint64_t>() > uint64_t(INT64_MAX);
+	if (_value->is_number_integer() && !is_too_large) {
+		const int64_t number = _value->get<int64_t>();
+		if (number >= low && number <= high) {
+			return number;
+		}
+	}
+	error("expected a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+	return std::nullopt;
+}
+
+std::optional<glm::vec3> JsonValue::point() const {
+	const auto is_coordinate = [](const Json &value) { return value.is_number() && std::abs(value.get<double>()) <= 1e7; };
+	if (!_value->is_array() || _value->size() != 3 || !std::all_of(_value->begin(), _value->end(), is_coordinate)) {
+		error("expected three numbers [x, y, z] in metres, each within +-1e7");
+		return std::nullopt;
+	}
+	return glm::vec3((*_value)[0].get<float>(), (*_value)[1].get<float>(), (*_value)[2].get<float>());
+}
+
+std::optional<std::vector<JsonValue>> JsonValue::elements() const {
+	if (!_value->is_array()) {
+		error("expected a list [ .. ]");
+		return std::nullopt;
+	}
+	std::vector<JsonValue> values;
+	for (size_t i = 0; i < _value->size(); ++i) {
+		values.emplace_back((*_value)[i], _path + "[" + std::to_string(i) + "]", *_file, *_diagnostics);
+	}
+	return values;
+}
+
+std::optional<JsonValue> JsonValue::member(std::string_view key) const {
+	const auto found = _value->find(key);
+	if (!_value->is_object() || found == _value->end()) {
+		return std::nullopt;
+	}
+	return JsonValue(*found, _path.empty() ? std::string(key) : _path + "." + std::string(key), *_file, *_diagnostics);
+}
+
+std::optional<JsonValue> JsonValue::required(std::string_view key) const {
+	const std::optional<JsonValue> found = member(key);
+	if (!found) {
+		error("`" + std::string(key) + "` is missing");
+	}
+	return found;
+}
+
+void JsonValue::allow_only(const std::vector<std::string_view> &keys) const {
+	for (const auto &[key, value] : _value->items()) {
+		if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
+			const std::string_view meant = closest_name(key, keys);
+			warning("unknown-key", "`" + key + "` is not known here and is ignored",
+					meant.empty() ? std::string() : "did you mean `" + std::string(meant) + "`?");
+		}
+	}
+}
+
+void JsonValue::error(std::string message, std::string hint) const {
+	const std::string place = _path.empty() ? "the whole file" : _path;
+	_diagnostics->add({ Severity::Error, "bad-value", *_file, 0, 0, place + ": " + message, std::move(hint), {} });
+}
+
+void JsonValue::warning(std::string_view id, std::string message, std::string hint) const {
+	const std::string place = _path.empty() ? "the whole file" : _path;
+	_diagnostics->add({ Severity::Warning, id, *_file, 0, 0, place + ": " + message, std::move(hint), {} });
+}
+
+} // namespace pcg

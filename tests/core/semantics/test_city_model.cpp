@@ -1,0 +1,121 @@
+#include <doctest/doctest.h>
+
+#include "core/semantics/city_model.h"
+
+using namespace pcg;
+
+namespace {
+
+EntranceId add_door(CityModel &city, BuildingId building, std::string_view type, uint32_t capacity) {
+	Entrance entrance;
+	entrance.building = building;
+	entrance.type = city.types.add(type);
+	entrance.capacity = capacity;
+	return city.add_entrance(entrance);
+}
+
+} // namespace
+
+TEST_CASE("a type has one id however often it is added") {
+	TypeTable types;
+	const TypeId shop = types.add("shop");
+	CHECK(types.add("house") != shop);
+	CHECK(types.add("shop") == shop);
+	CHECK(types.find("shop") == shop);
+	CHECK(types.name(shop) == "shop");
+	CHECK(types.find("castle") == TypeId::Invalid);
+	CHECK(types.name(TypeId::Invalid).empty());
+	CHECK(types.size() == 2);
+}
+
+TEST_CASE("a copied type table does not depend on the first") {
+	TypeTable copy;
+	{
+		TypeTable types;
+		types.add("a type name that is too long for the small string buffer");
+		copy = types;
+	}
+	CHECK(is_valid(copy.find("a type name that is too long for the small string buffer")));
+}
+
+TEST_CASE("a building is listed once under each type of its entrances, in order of ids") {
+	CityModel city;
+	const BuildingId first = city.add_building(), second = city.add_building();
+	add_door(city, second, "house", 4);
+	const EntranceId shop = add_door(city, first, "shop", 2);
+	add_door(city, first, "house", 3);
+	add_door(city, first, "house", 5);
+	const TypeId house = city.types.find("house");
+	CHECK(city.buildings_of_type(house) == std::vector<BuildingId>{ first, second });
+	CHECK(city.buildings_of_type(city.types.find("shop")) == std::vector<BuildingId>{ first });
+	CHECK(city.buildings_of_type(city.types.find("castle")).empty());
+	CHECK(city.capacity(first, house) == 8);
+	CHECK(city.entrance_of(first, city.types.find("shop")) == shop);
+	CHECK(city.entrance_of(first, city.types.find("castle")) == shop);
+}
+
+TEST_CASE("removing entrances takes the building from the lists only with the last of the type") {
+	CityModel city;
+	const BuildingId building = city.add_building();
+	const EntranceId a = add_door(city, building, "house", 1), b = add_door(city, building, "house", 1);
+	const TypeId house = city.types.find("house");
+	city.remove_entrance(a);
+	CHECK(city.buildings_of_type(house).size() == 1);
+	city.remove_entrance(b);
+	CHECK(city.buildings_of_type(house).empty());
+	CHECK(city.entrance_of(building) == EntranceId::Invalid);
+	CHECK(city.entrance(a).is_removed);
+}
+
+TEST_CASE("every edit counts the revision up, and edits of what is not there change nothing") {
+	CityModel city;
+	const BuildingId building = city.add_building();
+	const EntranceId door = add_door(city, building, "house", 1);
+	uint64_t before = city.revision();
+	city.move_entrance(door, { 1, 2, 3 }, { 1, 0, 0 });
+	CHECK(city.revision() > before);
+	city.remove_building(building);
+	before = city.revision();
+	city.remove_building(building);
+	city.remove_entrance(door);
+	city.move_entrance(EntranceId::Invalid, {}, {});
+	city.move_object(ObjectId(7), {});
+	city.remove_zone(ZoneId::Invalid);
+	CHECK(city.revision() == before);
+}
+
+TEST_CASE("an object without places gets one where it stands, and places follow a moved object") {
+	CityModel city;
+	CityObject bench;
+	bench.type = city.types.add("bench");
+	bench.position = { 5, 0, 5 };
+	const ObjectId plain = city.add_object(bench);
+	REQUIRE(city.object(plain).places.size() == 1);
+	CHECK(city.object(plain).places[0].position == glm::vec3(5, 0, 5));
+	city.move_object(plain, { 7, 0, 4 });
+	CHECK(city.object(plain).places[0].position == glm::vec3(7, 0, 4));
+	city.remove_object(plain);
+	CHECK(city.objects_of_type(bench.type).empty());
+}
+
+TEST_CASE("clearing a lot keeps its building for new entrances and leaves other lots alone") {
+	CityModel city;
+	const BuildingId here = city.add_building(LotId(3)), there = city.add_building(LotId(4));
+	add_door(city, here, "house", 1);
+	add_door(city, there, "house", 1);
+	Zone park;
+	park.type = city.types.add("park");
+	park.lot = LotId(3);
+	city.add_zone(park);
+	CityObject bench;
+	bench.type = city.types.add("bench");
+	bench.lot = LotId(4);
+	city.add_object(bench);
+	city.clear_lot(LotId(3));
+	CHECK(city.buildings_of_type(city.types.find("house")) == std::vector<BuildingId>{ there });
+	CHECK(city.zones_of_type(park.type).empty());
+	CHECK(city.objects_of_type(bench.type).size() == 1);
+	CHECK(city.building_of_lot(LotId(3)) == here);
+	add_door(city, here, "house", 1);
+	CHECK(city.buildings_of_type(city.types.find("house")).size() == 2);
+}
