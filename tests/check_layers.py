@@ -9,28 +9,20 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-BASE = ["core/base"]
-EVERY_ROOM = ["core/base", "core/geometry", "core/lang", "core/semantics", "core/navigation", "core/ports", "core/cga",
-              "core/city", "core/population", "core/agenda", "core/sim", "core/figure", "core/io"]
 
-# Folder -> what it may include besides itself: folders, or single headers where only those are meant.
-MAY_INCLUDE = {
-    "core/base": [],
-    "core/geometry": BASE,
-    "core/lang": BASE,
-    "core/semantics": BASE + ["core/geometry"],
-    "core/navigation": BASE + ["core/geometry", "core/semantics", "core/ports"],
-    "core/ports": BASE + ["core/geometry", "core/semantics"],
-    "core/cga": BASE + ["core/lang", "core/geometry", "core/semantics", "core/ports"],
-    "core/city": BASE + ["core/cga", "core/semantics", "core/navigation", "core/ports", "core/geometry", "core/lang"],
-    "core/population": BASE + ["core/semantics"],
-    "core/figure": BASE,
-    "core/agenda": BASE + ["core/lang", "core/population", "core/semantics", "core/ports"],
-    "core/sim": BASE + ["core/agenda", "core/population", "core/semantics", "core/navigation", "core/lang", "core/ports"],
-    "core/io": EVERY_ROOM,
-    "godot": EVERY_ROOM,
-    "cli": EVERY_ROOM,
-}
+
+def read_table(document):
+    """Room (a folder below src/) -> the set of rooms that it may include, from the table "Rooms" of docs/architecture.md."""
+    rows = re.findall(r"^\| `src/([\w/]+)` \|[^|]*\|([^|]*)\|$", document.read_text(), re.MULTILINE)
+    every = {room for room, _ in rows if room.startswith("core/")}
+    table = {}
+    for room, text in rows:
+        words = re.findall(r"[\w-]+", re.split(r"[.;]", text)[0])
+        table[room] = every if "core" in words else {f"core/{word}" for word in words} & every
+    return table
+
+
+MAY_INCLUDE = read_table(ROOT / "docs/architecture.md")
 
 # Third-party headers by their beginning -> the folders that may name them.
 LIBRARIES = {
@@ -67,7 +59,7 @@ def check_include(room, name, quoted):
     target = room_of(name)
     if not target:
         return f'"{name}" is not named from src/, as "core/base/result.h" is'
-    if target == room or any(name == allowed or target == allowed for allowed in MAY_INCLUDE[room]):
+    if target == room or target in MAY_INCLUDE[room]:
         return ""
     return f'{room} must not include "{name}"'
 
@@ -83,7 +75,7 @@ def check_file(path):
     name = path.relative_to(ROOT / "src").as_posix()
     room = room_of(name)
     if not room:
-        yield f"src/{name}:1: this folder is not in the table of {Path(__file__).name}"
+        yield f"src/{name}:1: this folder is not in the table of docs/architecture.md"
         return
     for number, line in enumerate(without_comments_and_strings(path.read_text()).splitlines(), 1):
         include = re.match(r'\s*#\s*include\s*([<"])([^>"]+)[>"]', line)

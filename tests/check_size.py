@@ -57,7 +57,7 @@ def cpp_functions(text):
             kind, first = stack.pop() if stack else ("scope", line)
             if kind == "function":
                 yield first, line
-            header = header if kind == "expression" else ""
+            header = header + "{}" if kind == "expression" else ""
         elif character == ";" and not inside and depth == 0:
             header = ""
         elif not inside and not any(kind == "expression" for kind, _ in stack):

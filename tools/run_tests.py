@@ -50,8 +50,8 @@ def ending(status):
     return f"ended with status {status}" if status >= 0 else f"was killed by signal {-status}"
 
 
-def run_check(script):
-    status, text = run([sys.executable, script])
+def run_check(script, *arguments):
+    status, text = run([sys.executable, script, *arguments])
     return Outcome(1, 0) if status == 0 else Outcome(0, max(1, len(re.findall(r":\d+: ", text))), text)
 
 
@@ -107,6 +107,7 @@ def suites(options):
     if not options.word:
         for check in ("layers", "size", "versions"):
             yield check, lambda check=check: run_check(ROOT / f"tests/check_{check}.py")
+        yield "docs", lambda: run_check(ROOT / "tools/generate_docs.py", "--check", "--engine", options.engine)
     yield "core", lambda: run_doctest(core, options)
     for folder in ("tests/tools", "bindings/tests"):
         if any((ROOT / folder).glob("test_*.py")):
