@@ -103,6 +103,9 @@ def main(arguments):
     except FetchError as error:
         print(f"engine: {error}", file=sys.stderr)
         return 1
+    except KeyboardInterrupt:
+        print("engine: stopped; nothing half-made was left", file=sys.stderr)
+        return 130
     print(executable)
     return 0
 
