@@ -19,11 +19,7 @@ def entries():
     yield from sorted(files.items())
 
 
-def main():
-    if not list(ADDON.glob("bin/libpcg.*")) or not (ADDON / "pcg.gdextension").is_file():
-        print("package: the addon is not built; ./dev package builds it first", file=sys.stderr)
-        return 1
-    target = ROOT / "out" / f"pcg-{read_deps()['VERSION']}.zip"
+def write_package(target):
     target.parent.mkdir(exist_ok=True)
     partial = target.with_suffix(".tmp")
     with zipfile.ZipFile(partial, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
@@ -33,6 +29,14 @@ def main():
             entry.compress_type = zipfile.ZIP_DEFLATED
             archive.writestr(entry, path.read_bytes())
     partial.replace(target)
+
+
+def main():
+    if not list(ADDON.glob("bin/libpcg.*")) or not (ADDON / "pcg.gdextension").is_file():
+        print("package: the addon is not built; ./dev package builds it first", file=sys.stderr)
+        return 1
+    target = ROOT / "out" / f"pcg-{read_deps()['VERSION']}.zip"
+    write_package(target)
     print(f"package: {target.relative_to(ROOT)}, {target.stat().st_size // 1024} KiB")
     return 0
 

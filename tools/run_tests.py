@@ -88,6 +88,13 @@ def complaints(text):
     return unexpected + missing
 
 
+def run_import_check():
+    """The engine's own words when it last imported the project."""
+    log = ROOT / "build/import.log"
+    wrong = complaints(log.read_text(errors="replace")) if log.is_file() else ["build/import.log: the project was not imported"]
+    return Outcome(0 if wrong else 1, len(wrong), "\n".join(wrong))
+
+
 def run_godot(options):
     command = [options.engine, "--headless", "--path", ".", "--script", "tests/godot/run.gd"]
     status, text = run(command + (["--", options.word] if options.word else []))
@@ -112,6 +119,8 @@ def suites(options):
     for folder in ("tests/tools", "bindings/tests"):
         if any((ROOT / folder).glob("test_*.py")):
             yield folder, lambda folder=folder: run_unittest(folder, options)
+    if not options.word:
+        yield "import", run_import_check
     yield "godot", lambda: run_godot(options)
 
 
@@ -127,6 +136,7 @@ def main():
         if options.only and name != options.only:
             continue
         started = time.monotonic()
+        print(f"{name} ..", file=sys.stderr, flush=True)
         outcome = suite()
         if outcome.failed:
             print(outcome.text)
