@@ -1,0 +1,33 @@
+#pragma once
+
+#include <godot_cpp/classes/node3d.hpp>
+#include <godot_cpp/variant/packed_vector3_array.hpp>
+#include <godot_cpp/variant/string.hpp>
+
+namespace pcg {
+
+// One lot of a city with what grew on it. Its geometry is the child "Geometry"; what has meaning are further children.
+class PCGLot : public godot::Node3D {
+	GDCLASS(PCGLot, godot::Node3D)
+
+public:
+	void set_lot_id(int p_id) { _lot_id = p_id; }
+	int get_lot_id() const { return _lot_id; }
+	void set_block_id(int p_id) { _block_id = p_id; }
+	int get_block_id() const { return _block_id; }
+	void set_type(const godot::String &p_type) { _type = p_type; }
+	godot::String get_type() const { return _type; }
+	void set_polygon(const godot::PackedVector3Array &p_polygon) { _polygon = p_polygon; }
+	godot::PackedVector3Array get_polygon() const { return _polygon; }
+
+protected:
+	static void _bind_methods();
+
+private:
+	int _lot_id = -1;
+	int _block_id = -1;
+	godot::String _type;
+	godot::PackedVector3Array _polygon;
+};
+
+} // namespace pcg

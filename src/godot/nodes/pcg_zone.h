@@ -1,0 +1,38 @@
+#pragma once
+
+#include <godot_cpp/classes/node3d.hpp>
+#include <godot_cpp/variant/packed_string_array.hpp>
+#include <godot_cpp/variant/packed_vector3_array.hpp>
+#include <godot_cpp/variant/string.hpp>
+
+namespace pcg {
+
+// A typed prism of interest in the scene. The outline is local to the node, which stands at the zone's centre of area.
+class PCGZone : public godot::Node3D {
+	GDCLASS(PCGZone, godot::Node3D)
+
+public:
+	void set_type(const godot::String &p_type);
+	godot::String get_type() const { return _type; }
+	void set_polygon(const godot::PackedVector3Array &p_polygon);
+	godot::PackedVector3Array get_polygon() const { return _polygon; }
+	void set_height(double p_height);
+	double get_height() const { return _height; }
+	void set_zone_id(int p_id) { _zone_id = p_id; }
+	int get_zone_id() const { return _zone_id; }
+	// Whether a point of the world lies above the ground outline; heights are ignored.
+	bool contains(const godot::Vector3 &p_point) const;
+
+	godot::PackedStringArray _get_configuration_warnings() const override;
+
+protected:
+	static void _bind_methods();
+
+private:
+	godot::String _type;
+	godot::PackedVector3Array _polygon;
+	double _height = 3.0;
+	int _zone_id = -1;
+};
+
+} // namespace pcg
