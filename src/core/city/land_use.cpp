@@ -1,0 +1,133 @@
+#include "core/city/land_use.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/base/random.h"
+
+namespace pcg {
+
+namespace {
+
+bool check(const std::vector<LandUse> &uses, Diagnostics &diagnostics) {
+	double sum = 0.0;
+	for (const LandUse &use : uses) {
+		if (use.type.empty() || !std::isfinite(use.weight) || use.weight < 0.0) {
+			diagnostics.error("bad-land-use", "land use `" + use.type + "` needs a name and a weight that is zero or more",
+					"mend the list of types and weights");
+			return false;
+		}
+		sum += use.weight;
+	}
+	if (!(sum > 0.0) || !std::isfinite(sum)) {
+		diagnostics.error("bad-land-use", "there is no type of lot to choose from", "give at least one type a weight above zero");
+		return false;
+	}
+	return true;
+}
+
+// How many of `lots` each use gets: its share rounded down, what is left over to the largest remainders.
+std::vector<size_t> share_out(const std::vector<LandUse> &uses, size_t lots) {
+	double sum = 0.0;
+	for (const LandUse &use : uses) {
+		sum += use.weight;
+	}
+	std::vector<size_t> counts(uses.size());
+	std::vector<double> remainders(uses.size());
+	size_t given = 0;
+	for (size_t i = 0; i < uses.size(); ++i) {
+		const double share = double(lots) * uses[i].weight / sum;
+		counts[i] = std::min(size_t(share), lots - given);
+		remainders[i] = share - double(counts[i]);
+		given += counts[i];
+	}
+	std::vector<size_t> order(uses.size());
+	std::iota(order.begin(), order.end(), 0);
+	std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return remainders[a] > remainders[b]; });
+	for (size_t i = 0; given < lots; i = (i + 1) % order.size()) {
+		if (uses[order[i]].weight > 0.0) {
+			++counts[order[i]];
+			++given;
+		}
+	}
+	return counts;
+}
+
+// Takes from the richest for those that should be there and are not.
+void help_the_missing(const std::vector<LandUse> &uses, std::vector<size_t> &counts, Diagnostics &diagnostics) {
+	for (size_t i = 0; i < uses.size(); ++i) {
+		if (counts[i] > 0 || uses[i].weight <= 0.0) {
+			continue;
+		}
+		const auto richest = std::max_element(counts.begin(), counts.end());
+		if (*richest > 1) {
+			--*richest;
+			++counts[i];
+		} else {
+			diagnostics.warning("too-few-lots", "there is no lot left for the type `" + uses[i].type + "`",
+					"make the layout larger or the list of types shorter");
+		}
+	}
+}
+
+void assign(const std::vector<size_t> &lots, const std::vector<LandUse> &uses, Random random, std::vector<std::string> &types,
+		Diagnostics &diagnostics) {
+	std::vector<size_t> counts = share_out(uses, lots.size());
+	help_the_missing(uses, counts, diagnostics);
+	std::vector<size_t> deck;
+	for (size_t i = 0; i < uses.size(); ++i) {
+		deck.insert(deck.end(), counts[i], i);
+	}
+	for (size_t i = deck.size(); i > 1; --i) {
+		std::swap(deck[i - 1], deck[random.index(i)]);
+	}
+	for (size_t i = 0; i < lots.size(); ++i) {
+		types[lots[i]] = uses[deck[i]].type;
+	}
+}
+
+bool contains(const District &district, glm::vec2 position) {
+	return position.x >= district.min.x && position.x <= district.max.x && position.y >= district.min.y && position.y <= district.max.y;
+}
+
+} // namespace
+
+std::vector<LandUse> default_land_use() {
+	return { { "house", 0.66 }, { "apartment", 0.08 }, { "workplace", 0.1 }, { "shop", 0.05 }, { "park", 0.05 }, { "school", 0.02 },
+		{ "restaurant", 0.02 }, { "leisure", 0.02 } };
+}
+
+std::vector<District> quadrant_districts() {
+	return { { { 0.0f, 0.0f }, { 0.5f, 0.5f }, { { "house", 0.95 }, { "park", 0.05 } } },
+		{ { 0.5f, 0.5f }, { 1.0f, 1.0f }, { { "workplace", 0.95 }, { "park", 0.05 } } },
+		{ { 0.5f, 0.0f }, { 1.0f, 0.5f }, { { "shop", 0.9 }, { "park", 0.1 } } },
+		{ { 0.0f, 0.5f }, { 0.5f, 1.0f }, { { "school", 0.9 }, { "park", 0.1 } } } };
+}
+
+std::vector<std::string> assign_land_use(std::span<const glm::vec2> positions, const std::vector<LandUse> &uses,
+		const std::vector<District> &districts, uint64_t seed, Diagnostics &diagnostics) {
+	// One group of lots for each district, and last those outside all of them.
+	std::vector<std::vector<size_t>> groups(districts.size() + 1);
+	for (size_t i = 0; i < positions.size(); ++i) {
+		size_t group = 0;
+		while (group < districts.size() && !contains(districts[group], positions[i])) {
+			++group;
+		}
+		groups[group].push_back(i);
+	}
+	std::vector<std::string> types(positions.size());
+	for (size_t group = 0; group < groups.size(); ++group) {
+		const std::vector<LandUse> &of_group = group < districts.size() ? districts[group].uses : uses;
+		if (groups[group].empty()) {
+			continue;
+		}
+		if (!check(of_group, diagnostics)) {
+			return {};
+		}
+		assign(groups[group], of_group, Random(derive_seed(seed, hash_text("land use")), group), types, diagnostics);
+	}
+	return types;
+}
+
+} // namespace pcg

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "core/base/diagnostic.h"
+
+// Which lot becomes what: shares of types, for the whole city or by district.
+namespace pcg {
+
+struct LandUse {
+	std::string type; // "house", "school" ..: also the name under which the lot's rules are found
+	double weight = 1.0; // >= 0, finite; relative to the others
+};
+
+// A rectangle of the city with shares of its own. Fractions of the city's extent, (0, 0) = its north-west corner, (1, 1) = south-east.
+struct District {
+	glm::vec2 min{ 0.0f };
+	glm::vec2 max{ 1.0f };
+	std::vector<LandUse> uses;
+};
+
+// What a small town needs: mostly houses.
+std::vector<LandUse> default_land_use();
+// The paper's structured city: houses top left, workplaces bottom right, shops and schools in the other two quadrants, each with some parks.
+std::vector<District> quadrant_districts();
+
+// A type for each of `positions` (fractions of the extent, as above). The first district that contains a position decides, else `uses`. Shares are met
+// to the nearest whole lot, and every type with a weight gets at least one lot where there are enough; too few lots: a warning. Wrong weights, types
+// without name or no types at all: an error, and nothing is returned.
+std::vector<std::string> assign_land_use(std::span<const glm::vec2> positions, const std::vector<LandUse> &uses,
+		const std::vector<District> &districts, uint64_t seed, Diagnostics &diagnostics);
+
+} // namespace pcg
