@@ -1,0 +1,295 @@
+#include "core/geometry/roof.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "core/geometry/roof_planes.h"
+#include "core/geometry/straight_skeleton.h"
+
+namespace pcg {
+
+namespace {
+
+constexpr double endless = std::numeric_limits<double>::infinity();
+
+double top_of(const StraightSkeleton &skeleton) {
+	double top = 0.0;
+	for (const SkeletonFace &face : skeleton.faces) {
+		for (const SkeletonVertex &vertex : face.outline) {
+			top = std::max(top, vertex.time);
+		}
+	}
+	return top;
+}
+
+RoofFace bottom_of(const RoofOutline &outline) {
+	RoofFace bottom{ RoofPart::Bottom, 0, {}, {} };
+	for (size_t l = 0; l < outline.size(); ++l) {
+		std::vector<glm::dvec3> loop;
+		for (const glm::dvec2 &point : outline[l]) {
+			loop.push_back({ point, 0.0 });
+		}
+		std::reverse(loop.begin() + 1, loop.end()); // the first vertex stays the first
+		if (l == 0) {
+			bottom.outline = std::move(loop);
+		} else {
+			bottom.holes.push_back(std::move(loop));
+		}
+	}
+	return bottom;
+}
+
+// Ridge vertices (where three or more planes meet above the eaves) all at their mean height.
+void level_ridge(std::vector<RoofFace> &faces, double eaves) {
+	double sum = 0.0;
+	size_t count = 0;
+	for (const RoofFace &face : faces) {
+		for (const glm::dvec3 &point : face.outline) {
+			if (point.z > eaves + 1e-9) {
+				sum += point.z;
+				++count;
+			}
+		}
+	}
+	for (RoofFace &face : faces) {
+		for (glm::dvec3 &point : face.outline) {
+			if (point.z > eaves + 1e-9) {
+				point.z = sum / double(count);
+			}
+		}
+	}
+}
+
+using PointKey = std::pair<int64_t, int64_t>;
+
+// A tenth of a millimetre: finer than any roof detail, coarser than the skeleton's rounding.
+PointKey key_of(glm::dvec2 point) { return { std::llround(point.x * 1e4), std::llround(point.y * 1e4) }; }
+
+bool is_hip_end(const RoofFace &face) { return face.part == RoofPart::Plane && face.outline.size() == 3; }
+
+// How many of the planes use the point: three at a simple end of a ridge, four or more where ridges meet.
+std::map<PointKey, int> count_uses(const std::vector<RoofFace> &faces) {
+	std::map<PointKey, int> uses;
+	for (const RoofFace &face : faces) {
+		for (const glm::dvec3 &point : face.outline) {
+			++uses[key_of(point)];
+		}
+	}
+	return uses;
+}
+
+// The direction in which the ridge arrives at the apex of a hip end, from the neighbouring planes; zero if there is none.
+glm::dvec2 ridge_direction(const std::vector<RoofFace> &faces, const RoofFace &end) {
+	const glm::dvec3 apex = end.outline[2];
+	for (const RoofFace &face : faces) {
+		const size_t count = face.outline.size();
+		for (size_t i = 0; i < count && &face != &end; ++i) {
+			const glm::dvec3 a = face.outline[i], b = face.outline[(i + 1) % count];
+			const bool is_apex_first = key_of(a) == key_of(apex), is_apex_second = key_of(b) == key_of(apex);
+			const glm::dvec3 other = is_apex_first ? b : a;
+			const bool is_eave_corner = key_of(other) == key_of(end.outline[0]) || key_of(other) == key_of(end.outline[1]);
+			if (is_apex_first != is_apex_second && !is_eave_corner && other.z >= apex.z - 1e-6 && count > 3) {
+				return glm::dvec2(apex) - glm::dvec2(other);
+			}
+		}
+	}
+	return glm::dvec2(0.0);
+}
+
+// Where the line from `apex` along `direction` meets the line of the edge a-b.
+glm::dvec2 meet_edge(glm::dvec2 apex, glm::dvec2 direction, glm::dvec2 a, glm::dvec2 b) {
+	const glm::dvec2 side = b - a, normal(side.y, -side.x);
+	const double rate = glm::dot(direction, normal);
+	return std::abs(rate) < 1e-12 ? apex : apex + direction * (glm::dot(a - apex, normal) / rate);
+}
+
+void move_point(std::vector<RoofFace> &faces, glm::dvec3 from, glm::dvec3 to) {
+	for (RoofFace &face : faces) {
+		for (glm::dvec3 &point : face.outline) {
+			if (key_of(point) == key_of(from)) {
+				point = to;
+			}
+		}
+	}
+}
+
+// End points of an edge that counts through all loops.
+std::pair<glm::dvec2, glm::dvec2> edge_of(const RoofOutline &outline, uint32_t edge) {
+	for (const auto &loop : outline) {
+		if (edge < loop.size()) {
+			return { loop[edge], loop[(edge + 1) % loop.size()] };
+		}
+		edge -= uint32_t(loop.size());
+	}
+	return {};
+}
+
+// Stands the triangular ends upright on the walls; ridge and eaves run on past them by `beyond`.
+void raise_gables(std::vector<RoofFace> &faces, const RoofOutline &outline, double beyond) {
+	const std::map<PointKey, int> uses = count_uses(faces);
+	for (RoofFace &end : faces) {
+		if (!is_hip_end(end) || uses.at(key_of(end.outline[2])) != 3) {
+			continue;
+		}
+		const glm::dvec2 direction = ridge_direction(faces, end);
+		if (glm::dot(direction, direction) < 1e-12) {
+			continue;
+		}
+		const auto [wall_start, wall_end] = edge_of(outline, end.edge);
+		const glm::dvec2 step = glm::normalize(direction) * beyond;
+		const std::vector<glm::dvec3> corners = end.outline;
+		for (const glm::dvec3 &point : corners) {
+			move_point(faces, point, { meet_edge(point, direction, wall_start, wall_end) + step, point.z });
+		}
+		const glm::dvec2 top = meet_edge(corners[2], direction, wall_start, wall_end);
+		end = { RoofPart::Gable, end.edge, { { wall_start, 0.0 }, { wall_end, 0.0 }, { top, corners[2].z } }, {} };
+	}
+}
+
+// A square-like outline has a point where others have a ridge. The planes of edges 0 and 2 share it as a ridge of a millimetre, so that the ends
+// 1 and 3 become gables like any other.
+void open_point_ridge(std::vector<RoofFace> &faces) {
+	const bool is_point = faces.size() == 4 && std::all_of(faces.begin(), faces.end(), is_hip_end);
+	if (!is_point) {
+		return;
+	}
+	const glm::dvec3 apex = faces[0].outline[2];
+	const glm::dvec3 half_ridge(glm::normalize(glm::dvec2(faces[0].outline[1] - faces[0].outline[0])) * 5e-4, 0.0);
+	const glm::dvec3 right = apex + half_ridge, left = apex - half_ridge;
+	faces[0].outline = { faces[0].outline[0], faces[0].outline[1], right, left };
+	faces[2].outline = { faces[2].outline[0], faces[2].outline[1], left, right };
+	faces[1].outline[2] = right;
+	faces[3].outline[2] = left;
+}
+
+// Roof planes over the skeleton of the outline grown by the overhang; heights are 0 above the original edges.
+std::vector<RoofFace> hip_planes(const RoofOutline &outline, RoofSlope slope, double overhang, bool &is_complete) {
+	double rise = slope.is_height ? 0.0 : std::tan(glm::radians(slope.value));
+	if (slope.is_height) {
+		const double top = top_of(straight_skeleton(outline, {}, endless));
+		rise = top > 0.0 ? slope.value / top : 0.0;
+	}
+	const double reach = overhang / std::sqrt(1.0 + rise * rise); // horizontal part of the overhang
+	const OutlineWithEdges eaves = reach > 1e-9 ? grow_outline(outline, reach) : OutlineWithEdges{ outline, {} };
+	const StraightSkeleton skeleton = straight_skeleton(eaves.loops, {}, endless);
+	is_complete = skeleton.is_complete;
+	std::vector<RoofFace> faces;
+	for (const SkeletonFace &swept : skeleton.faces) {
+		RoofFace face{ RoofPart::Plane, eaves.edges.empty() ? swept.edge : eaves.edges[swept.edge], {}, {} };
+		for (const SkeletonVertex &vertex : swept.outline) {
+			face.outline.push_back({ vertex.position, (vertex.time - std::max(0.0, reach)) * rise });
+		}
+		faces.push_back(std::move(face));
+	}
+	std::stable_sort(faces.begin(), faces.end(), [](const RoofFace &a, const RoofFace &b) { return a.edge < b.edge; });
+	return faces;
+}
+
+} // namespace
+
+// The outline becomes a hole in a wide frame, and the front that grows from the hole is the outline grown.
+OutlineWithEdges grow_outline(const RoofOutline &outline, double distance) {
+	glm::dvec2 low(endless), high(-endless);
+	for (const auto &loop : outline) {
+		for (const glm::dvec2 &point : loop) {
+			low = glm::min(low, point);
+			high = glm::max(high, point);
+		}
+	}
+	// Mitres reach further than the distance; a corner sharper than about 6 degrees is cut by the frame.
+	low -= 20.0 * distance;
+	high += 20.0 * distance;
+	std::vector<std::vector<glm::dvec2>> inverted = { { low, { high.x, low.y }, high, { low.x, high.y } } };
+	std::vector<uint32_t> sources(4, 0);
+	uint32_t first = 0;
+	for (const auto &loop : outline) {
+		const uint32_t count = uint32_t(loop.size());
+		inverted.emplace_back(loop.rbegin(), loop.rend());
+		for (uint32_t i = 0; i < count; ++i) { // reversed edge i runs from point count-1-i to count-2-i
+			sources.push_back(first + (2 * count - 2 - i) % count);
+		}
+		first += count;
+	}
+	std::vector<double> speeds(sources.size(), 1.0);
+	std::fill(speeds.begin(), speeds.begin() + 4, 0.0);
+	const StraightSkeleton skeleton = straight_skeleton(inverted, speeds, distance);
+	OutlineWithEdges grown;
+	std::vector<std::pair<double, const SkeletonFront *>> fronts;
+	for (const SkeletonFront &front : skeleton.fronts) {
+		double twice = 0.0;
+		for (size_t i = 0; i < front.points.size(); ++i) {
+			const glm::dvec2 a = front.points[i], b = front.points[(i + 1) % front.points.size()];
+			twice += a.x * b.y - b.x * a.y;
+		}
+		fronts.push_back({ twice, &front });
+	}
+	// The frame is the largest counter-clockwise loop; the grown outline is the largest clockwise one.
+	std::sort(fronts.begin(), fronts.end(), [](const auto &a, const auto &b) { return a.first < b.first; });
+	for (size_t f = 0; f + 1 < fronts.size(); ++f) {
+		const SkeletonFront &front = *fronts[f].second;
+		const size_t count = front.points.size();
+		grown.loops.emplace_back(front.points.rbegin(), front.points.rend());
+		for (size_t i = 0; i < count; ++i) {
+			grown.edges.push_back(sources[front.edges[(2 * count - 2 - i) % count]]);
+		}
+	}
+	return grown.loops.empty() ? OutlineWithEdges{ outline, {} } : grown;
+}
+
+Roof roof_hip(const RoofOutline &outline, RoofSlope slope, double overhang, bool is_even) {
+	Roof roof;
+	roof.faces = hip_planes(outline, slope, overhang, roof.is_complete);
+	if (is_even && !roof.faces.empty()) {
+		level_ridge(roof.faces, roof.faces[0].outline[0].z);
+	}
+	roof.faces.push_back(bottom_of(outline));
+	return roof;
+}
+
+Roof roof_gable(const RoofOutline &outline, RoofSlope slope, double overhang_eaves, double overhang_gables, bool is_even, int edge) {
+	if (edge >= 0 && outline.size() == 1 && !outline[0].empty()) {
+		const size_t count = outline[0].size();
+		const glm::dvec2 a = outline[0][size_t(edge) % count], b = outline[0][(size_t(edge) + 1) % count];
+		return roof_along(outline, slope, b - a);
+	}
+	Roof roof;
+	roof.faces = hip_planes(outline, slope, overhang_eaves, roof.is_complete);
+	if (is_even && !roof.faces.empty()) {
+		level_ridge(roof.faces, roof.faces[0].outline[0].z);
+	}
+	open_point_ridge(roof.faces);
+	raise_gables(roof.faces, outline, overhang_gables);
+	roof.faces.push_back(bottom_of(outline));
+	return roof;
+}
+
+Roof roof_ridge(const RoofOutline &outline, RoofSlope slope) { return roof_along(outline, slope, { 1.0, 0.0 }); }
+
+Roof roof_pyramid(const RoofOutline &outline, RoofSlope slope) {
+	Roof roof;
+	if (outline.empty() || outline[0].size() < 3) {
+		roof.is_complete = false;
+		return roof;
+	}
+	const std::vector<glm::dvec2> &loop = outline[0];
+	glm::dvec2 middle(0.0);
+	for (const glm::dvec2 &point : loop) {
+		middle += point / double(loop.size());
+	}
+	const glm::dvec2 side = glm::normalize(loop[1] - loop[0]);
+	const double inset = glm::dot(glm::dvec2(-side.y, side.x), middle - loop[0]);
+	const double height = slope.is_height ? slope.value : inset * std::tan(glm::radians(slope.value));
+	for (size_t i = 0; i < loop.size(); ++i) {
+		const glm::dvec2 a = loop[i], b = loop[(i + 1) % loop.size()];
+		roof.faces.push_back({ RoofPart::Plane, uint32_t(i), { { a, 0.0 }, { b, 0.0 }, { middle, height } }, {} });
+	}
+	roof.faces.push_back(bottom_of({ loop }));
+	return roof;
+}
+
+} // namespace pcg
