@@ -190,10 +190,23 @@ std::vector<RoofFace> hip_planes(const RoofOutline &outline, RoofSlope slope, do
 	return faces;
 }
 
-} // namespace
+struct Inverted {
+	RoofOutline loops;
+	std::vector<double> speeds;
+	std::vector<uint32_t> sources; // of each edge
+};
 
-// The outline becomes a hole in a wide frame, and the front that grows from the hole is the outline grown.
-OutlineWithEdges grow_outline(const RoofOutline &outline, double distance) {
+double signed_area(const std::vector<glm::dvec2> &points) {
+	double twice = 0.0;
+	for (size_t i = 0; i < points.size(); ++i) {
+		const glm::dvec2 a = points[i], b = points[(i + 1) % points.size()];
+		twice += a.x * b.y - b.x * a.y;
+	}
+	return twice / 2.0;
+}
+
+// The outline turned inside out: a hole in a wide frame that itself stands still.
+Inverted invert(const RoofOutline &outline, double distance) {
 	glm::dvec2 low(endless), high(-endless);
 	for (const auto &loop : outline) {
 		for (const glm::dvec2 &point : loop) {
@@ -204,38 +217,36 @@ OutlineWithEdges grow_outline(const RoofOutline &outline, double distance) {
 	// Mitres reach further than the distance; a corner sharper than about 6 degrees is cut by the frame.
 	low -= 20.0 * distance;
 	high += 20.0 * distance;
-	std::vector<std::vector<glm::dvec2>> inverted = { { low, { high.x, low.y }, high, { low.x, high.y } } };
-	std::vector<uint32_t> sources(4, 0);
+	Inverted inverted{ { { low, { high.x, low.y }, high, { low.x, high.y } } }, std::vector<double>(4, 0.0), std::vector<uint32_t>(4, 0) };
 	uint32_t first = 0;
 	for (const auto &loop : outline) {
 		const uint32_t count = uint32_t(loop.size());
-		inverted.emplace_back(loop.rbegin(), loop.rend());
+		inverted.loops.emplace_back(loop.rbegin(), loop.rend());
 		for (uint32_t i = 0; i < count; ++i) { // reversed edge i runs from point count-1-i to count-2-i
-			sources.push_back(first + (2 * count - 2 - i) % count);
+			inverted.speeds.push_back(1.0);
+			inverted.sources.push_back(first + (2 * count - 2 - i) % count);
 		}
 		first += count;
 	}
-	std::vector<double> speeds(sources.size(), 1.0);
-	std::fill(speeds.begin(), speeds.begin() + 4, 0.0);
-	const StraightSkeleton skeleton = straight_skeleton(inverted, speeds, distance);
-	OutlineWithEdges grown;
-	std::vector<std::pair<double, const SkeletonFront *>> fronts;
-	for (const SkeletonFront &front : skeleton.fronts) {
-		double twice = 0.0;
-		for (size_t i = 0; i < front.points.size(); ++i) {
-			const glm::dvec2 a = front.points[i], b = front.points[(i + 1) % front.points.size()];
-			twice += a.x * b.y - b.x * a.y;
-		}
-		fronts.push_back({ twice, &front });
-	}
+	return inverted;
+}
+
+} // namespace
+
+// The front that grows from the hole is the outline grown.
+OutlineWithEdges grow_outline(const RoofOutline &outline, double distance) {
+	const Inverted inverted = invert(outline, distance);
+	StraightSkeleton skeleton = straight_skeleton(inverted.loops, inverted.speeds, distance);
 	// The frame is the largest counter-clockwise loop; the grown outline is the largest clockwise one.
-	std::sort(fronts.begin(), fronts.end(), [](const auto &a, const auto &b) { return a.first < b.first; });
-	for (size_t f = 0; f + 1 < fronts.size(); ++f) {
-		const SkeletonFront &front = *fronts[f].second;
+	std::sort(skeleton.fronts.begin(), skeleton.fronts.end(),
+			[](const SkeletonFront &a, const SkeletonFront &b) { return signed_area(a.points) < signed_area(b.points); });
+	OutlineWithEdges grown;
+	for (size_t f = 0; f + 1 < skeleton.fronts.size(); ++f) {
+		const SkeletonFront &front = skeleton.fronts[f];
 		const size_t count = front.points.size();
 		grown.loops.emplace_back(front.points.rbegin(), front.points.rend());
 		for (size_t i = 0; i < count; ++i) {
-			grown.edges.push_back(sources[front.edges[(2 * count - 2 - i) % count]]);
+			grown.edges.push_back(inverted.sources[front.edges[(2 * count - 2 - i) % count]]);
 		}
 	}
 	return grown.loops.empty() ? OutlineWithEdges{ outline, {} } : grown;
