@@ -1,8 +1,6 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "core/base/ids.h"
@@ -15,11 +13,11 @@ enum class Gender : uint8_t { Man, Woman };
 // Whole of a person's lasting data: 24 bytes.
 struct Person {
 	HouseholdId household = HouseholdId::Invalid;
-	uint32_t name = 0; // index in Population::first_names of the gender
+	uint32_t name = 0; // index in first_names(gender), see names.h
 	float walking_speed = 1.3f; // m/s, > 0
 	float age = 30.0f; // years
 	Gender gender = Gender::Woman;
-	uint8_t clothes_color = 0; // index in Population::clothes_colors
+	uint8_t clothes_color = 0; // index in clothes_colors()
 	uint16_t reserved = 0;
 };
 
@@ -29,14 +27,15 @@ struct Household {
 	PersonId first_member = PersonId::Invalid;
 	uint16_t member_count = 0;
 	uint16_t pattern = 0; // row of the household table that it was drawn from
-	uint16_t family_name = 0;
-	uint8_t hair_color = 0; // shared by the members, as in the paper
+	uint16_t family_name = 0; // index in family_names()
+	uint8_t hair_color = 0; // index in hair_colors(); shared by the members, as in the paper
 };
 
 struct Population {
 	std::vector<Person> persons;
 	std::vector<Household> households;
 
+	// Households in order of id, their members one behind the other.
 	const Person &person(PersonId id) const { return persons[index_of(id)]; }
 	const Household &household(HouseholdId id) const { return households[index_of(id)]; }
 	BuildingId home_of(PersonId id) const { return household(person(id).household).home; }

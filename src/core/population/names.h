@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/population/population.h"
+
+// Names and colors that persons refer to by index. Constant tables, the same for every population.
+namespace pcg {
+
+struct NamedColor {
+	std::string_view name;
+	uint8_t red = 0; // sRGB
+	uint8_t green = 0;
+	uint8_t blue = 0;
+};
+
+std::span<const std::string_view> first_names(Gender gender);
+std::span<const std::string_view> family_names();
+std::span<const NamedColor> hair_colors();
+std::span<const NamedColor> clothes_colors();
+
+// "Ada Marsh".
+std::string full_name(const Population &population, PersonId id);
+
+} // namespace pcg

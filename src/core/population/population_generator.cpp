@@ -1,0 +1,152 @@
+#include "core/population/population_generator.h"
+
+#include <algorithm>
+
+#include "core/population/alias_table.h"
+#include "core/population/home_finder.h"
+#include "core/population/household_draw.h"
+#include "core/population/names.h"
+#include "core/population/walking_speed.h"
+
+namespace pcg {
+
+namespace {
+
+// The last household is drawn again so often, so that the number of persons asked for is met.
+constexpr uint64_t max_redraws = 64;
+
+struct Draw {
+	uint16_t pattern = 0;
+	std::vector<DrawnMember> members;
+};
+
+class Generator {
+public:
+	Generator(const HouseholdTable &table, const CityModel &city, const PopulationOptions &options) :
+			_table(table), _options(options), _homes(city, options.home_type, options.default_capacity), _patterns(weights_of(table)) {}
+
+	Population run(Diagnostics &diagnostics) {
+		if (_homes.is_empty()) {
+			diagnostics.error("no-homes", "the city has no building with an entrance of type '" + _options.home_type + "', so nobody can live in it",
+					"give houses an entrance(\"" + _options.home_type + "\")");
+			return {};
+		}
+		if (_patterns.is_empty()) {
+			diagnostics.error("no-households", "the household table has no household that occurs", "check the counts of the table");
+			return {};
+		}
+		uint64_t persons = 0;
+		for (uint64_t number = 0; !is_done(number, persons); ++number) {
+			const Draw draw = draw_household(number, persons);
+			persons += draw.members.size();
+			if (!house(draw, number)) {
+				_homeless += draw.members.size();
+				if (_homes.free() == 0) {
+					count_unhoused(number + 1, persons);
+					break;
+				}
+			}
+		}
+		report(diagnostics);
+		return std::move(_population);
+	}
+
+private:
+	void report(Diagnostics &diagnostics) const {
+		if (_too_large > 0) {
+			diagnostics.warning("homes-too-small",
+					std::to_string(_too_large) + " households were larger than the largest home, which takes " +
+							std::to_string(_homes.largest()) + " persons, and were drawn again",
+					"give some entrances of type '" + _options.home_type + "' a larger capacity");
+		}
+		if (_homeless > 0) {
+			diagnostics.warning("too-few-homes",
+					std::to_string(_population.persons.size() + _homeless) + " persons, but the homes of the city take " +
+							std::to_string(_homes.total()) + ": " + std::to_string(_homeless) + " were left out",
+					"ask for fewer persons, or give the city more homes or larger capacities");
+		}
+	}
+
+	static std::vector<double> weights_of(const HouseholdTable &table) {
+		std::vector<double> weights;
+		for (const HouseholdPattern &pattern : table.patterns) {
+			weights.push_back(pattern.weight);
+		}
+		return weights;
+	}
+
+	bool is_done(uint64_t households, uint64_t persons) const {
+		return _options.households > 0 ? households >= _options.households : persons >= _options.persons;
+	}
+
+	Draw draw_household(uint64_t number, uint64_t persons) {
+		Draw draw;
+		bool was_too_large = false;
+		for (uint64_t attempt = 0; attempt < max_redraws; ++attempt) {
+			Random random(derive_seed(_options.seed, hash_text("household") + attempt), number);
+			draw.pattern = uint16_t(_patterns.draw(random));
+			draw.members = draw_members(_table.patterns[draw.pattern], random);
+			const bool is_too_large = draw.members.size() > _homes.largest();
+			was_too_large = was_too_large || is_too_large;
+			if (!is_too_large && (_options.households > 0 || persons + draw.members.size() <= _options.persons)) {
+				break;
+			}
+		}
+		_too_large += was_too_large;
+		return draw;
+	}
+
+	bool house(const Draw &draw, uint64_t number) {
+		Random random(derive_seed(_options.seed, hash_text("home")), number);
+		const BuildingId home = _homes.take(random, uint32_t(draw.members.size()));
+		if (!is_valid(home)) {
+			return false;
+		}
+		Household household;
+		household.home = home;
+		household.first_member = PersonId(uint32_t(_population.persons.size()));
+		household.member_count = uint16_t(draw.members.size());
+		household.pattern = draw.pattern;
+		household.family_name = uint16_t(random.index(family_names().size()));
+		household.hair_color = uint8_t(random.index(hair_colors().size()));
+		for (const DrawnMember &member : draw.members) {
+			Person person;
+			person.household = HouseholdId(uint32_t(_population.households.size()));
+			person.gender = member.gender;
+			person.age = float(member.age);
+			person.name = uint32_t(random.index(first_names(member.gender).size()));
+			person.walking_speed = draw_walking_speed(random, member.gender, person.age);
+			person.clothes_color = uint8_t(random.index(clothes_colors().size()));
+			_population.persons.push_back(person);
+		}
+		_population.households.push_back(household);
+		return true;
+	}
+
+	// All homes are full: what else was asked for has no place either.
+	void count_unhoused(uint64_t households, uint64_t persons) {
+		if (_options.households == 0) {
+			_homeless += _options.persons > persons ? _options.persons - persons : 0;
+			return;
+		}
+		for (; households < _options.households; ++households) {
+			_homeless += draw_household(households, 0).members.size();
+		}
+	}
+
+	const HouseholdTable &_table;
+	const PopulationOptions &_options;
+	HomeFinder _homes;
+	AliasTable _patterns;
+	Population _population;
+	uint64_t _homeless = 0; // persons
+	uint64_t _too_large = 0; // households
+};
+
+} // namespace
+
+Population generate_population(const HouseholdTable &table, const CityModel &city, const PopulationOptions &options, Diagnostics &diagnostics) {
+	return Generator(table, city, options).run(diagnostics);
+}
+
+} // namespace pcg

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "core/base/diagnostic.h"
+#include "core/population/household_pattern.h"
+#include "core/population/population.h"
+#include "core/semantics/city_model.h"
+
+namespace pcg {
+
+struct PopulationOptions {
+	uint64_t seed = 1;
+	uint32_t persons = 0; // at least so many, as near as whole households come to it
+	uint32_t households = 0; // used instead of `persons` if it is above 0
+	std::string home_type = "house"; // type of the entrances of homes
+	uint32_t default_capacity = 4; // persons in a building whose entrances of that type say 0
+};
+
+// Draws households in proportion to their occurrence and houses them by the capacity of the buildings (paper, "Population"). The n-th
+// household depends on (seed, n) only. Whatever finds no home is left out, with a warning that tells both figures; no home at all is an
+// error and gives nobody. At least one member of every household is 18 or over.
+Population generate_population(const HouseholdTable &table, const CityModel &city, const PopulationOptions &options, Diagnostics &diagnostics);
+
+} // namespace pcg

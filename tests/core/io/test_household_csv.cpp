@@ -1,0 +1,101 @@
+#include <doctest/doctest.h>
+
+#include "core/io/household_csv.h"
+
+using namespace pcg;
+
+namespace {
+
+Diagnostic problem_of(std::string_view text) {
+	const Result<HouseholdTable> table = parse_household_table(text, "table.csv");
+	REQUIRE(!table.is_ok());
+	return table.diagnostic();
+}
+
+} // namespace
+
+TEST_CASE("descriptors and columns tell the same household") {
+	const Result<HouseholdTable> table = parse_household_table(
+			"# a remark\ndescriptor,count,adults,minors,women\n"
+			"One adult woman with two minor children,10,,,\n\"Lone mothers, two\",20,1,2,1\n",
+			"table.csv");
+	REQUIRE(table.is_ok());
+	REQUIRE(table->patterns.size() == 2);
+	CHECK(table->patterns[1].weight == 20.0);
+	CHECK(table->patterns[1].descriptor == "Lone mothers, two");
+	for (const HouseholdPattern &pattern : table->patterns) {
+		REQUIRE(pattern.groups.size() == 2);
+		CHECK(pattern.groups[0].sex == MemberGroup::Sex::Woman);
+		CHECK(pattern.groups[0].count == 1);
+		CHECK(pattern.groups[1].is_minor);
+		CHECK(pattern.groups[1].count == 2);
+	}
+}
+
+TEST_CASE("semicolons, a byte order mark and Windows line ends are understood") {
+	const Result<HouseholdTable> table = parse_household_table("\xEF\xBB\xBF" "descriptor;count\r\nOne man;3\r\n", "t.csv");
+	REQUIRE(table.is_ok());
+	CHECK(table->patterns[0].weight == 3.0);
+}
+
+TEST_CASE("a bad row is one message with line and column and what to do") {
+	const Diagnostic negative = problem_of("descriptor,count\nOne man,5\nOne woman,-2\n");
+	CHECK(negative.id == "negative-count");
+	CHECK(negative.line == 3);
+	CHECK(negative.column == 11);
+	CHECK(!negative.hint.empty());
+	CHECK(negative.source == "One woman,-2");
+
+	CHECK(problem_of("descriptor,count\nOne man,many\n").id == "not-a-number");
+	CHECK(problem_of("descriptor,count\nOne man,\n").id == "not-a-number");
+	CHECK(problem_of("descriptor,count\nOne man,1e999\n").id == "not-a-number");
+	CHECK(problem_of("descriptor,count\nOne man,nan\n").id == "not-a-number");
+	CHECK(problem_of("descriptor,count\nOne man\n").id == "bad-row");
+	CHECK(problem_of("descriptor,count\n\"One man,5\n").id == "bad-quotes");
+	CHECK(problem_of("descriptor,count\nOne man,0\n").id == "no-households");
+	CHECK(problem_of("descriptor,count,adults,minors\nx,5,0,2\n").id == "bad-household");
+	CHECK(problem_of("descriptor,count,adults\nx,5,900\n").id == "not-a-number");
+	CHECK(problem_of("descriptor,count,adults,women,men\nx,5,1,1,1\n").id == "bad-household");
+}
+
+TEST_CASE("unknown wording names the row and what is understood") {
+	const Diagnostic unknown = problem_of("descriptor,count\nOne man,5\nThree wombats,2\n");
+	CHECK(unknown.id == "unknown-household-words");
+	CHECK(unknown.line == 3);
+	CHECK(unknown.message.find("Three wombats") != std::string::npos);
+	CHECK(unknown.hint.find("adults") != std::string::npos);
+}
+
+TEST_CASE("a part of a row above is refused, or it would be counted twice") {
+	CHECK(problem_of("household_type,count\nMarried-couple household,10\n..with own children under 18,4\n").id == "sub-row");
+}
+
+TEST_CASE("tables that are no tables are told apart") {
+	CHECK(problem_of("").id == "empty-file");
+	CHECK(problem_of("# only a remark\n").id == "empty-file");
+	CHECK(problem_of("descriptor,count\n").id == "no-rows");
+	CHECK(problem_of("name,count\nx,1\n").id == "missing-column");
+	CHECK(problem_of(std::string_view("a\0b", 3)).id == "not-text");
+	CHECK(!read_household_table("there/is/no/such.csv").is_ok());
+}
+
+TEST_CASE("the shipped tables are read and count every household once") {
+	const Result<HouseholdTable> us = read_household_table("rules/data/households_us_acs2023.csv");
+	REQUIRE(us.is_ok());
+	double total = 0.0;
+	for (const HouseholdPattern &pattern : us->patterns) {
+		total += pattern.weight;
+	}
+	CHECK(total == 131'332'360.0); // DP02, total households
+
+	const Result<HouseholdTable> madrid = read_household_table("rules/data/households_madrid_2001.csv");
+	REQUIRE(madrid.is_ok());
+	total = 0.0;
+	for (const HouseholdPattern &pattern : madrid->patterns) {
+		total += pattern.weight;
+		if (pattern.descriptor == "One adult woman with two minors") {
+			CHECK(pattern.weight == 9060.0);
+		}
+	}
+	CHECK(total == 1'873'792.0); // NH1, Madrid
+}

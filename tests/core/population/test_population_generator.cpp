@@ -1,0 +1,225 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <map>
+
+#include "core/io/household_csv.h"
+#include "core/population/alias_table.h"
+#include "core/population/household_draw.h"
+#include "core/population/names.h"
+#include "core/population/population_generator.h"
+#include "core/population/walking_speed.h"
+
+using namespace pcg;
+
+namespace {
+
+CityModel city_of(size_t homes, uint32_t capacity) {
+	CityModel city;
+	const TypeId house = city.types.add("house");
+	for (size_t i = 0; i < homes; ++i) {
+		Entrance entrance;
+		entrance.building = city.add_building();
+		entrance.type = house;
+		entrance.capacity = capacity;
+		city.add_entrance(entrance);
+	}
+	return city;
+}
+
+HouseholdTable table_of(std::string_view text) {
+	const Result<HouseholdTable> table = parse_household_table(text, "table.csv");
+	REQUIRE(table.is_ok());
+	return *table;
+}
+
+// The value of the chi-squared distribution that is exceeded with probability 0.001 (Wilson and Hilferty's approximation).
+double chi_squared_limit(double degrees) {
+	const double a = 2.0 / (9.0 * degrees);
+	return degrees * std::pow(1.0 - a + 3.0902 * std::sqrt(a), 3.0);
+}
+
+} // namespace
+
+TEST_CASE("the alias table draws in proportion and never what does not occur") {
+	const AliasTable table({ 1.0, 0.0, 3.0, -2.0, NAN, 6.0 });
+	Random random(1, 2);
+	std::map<size_t, int> drawn;
+	for (int i = 0; i < 100'000; ++i) {
+		++drawn[table.draw(random)];
+	}
+	CHECK(drawn.size() == 3);
+	// Four standard deviations of a binomial count.
+	CHECK(std::abs(drawn[0] - 10'000) < 380);
+	CHECK(std::abs(drawn[2] - 30'000) < 580);
+	CHECK(std::abs(drawn[5] - 60'000) < 620);
+	CHECK(AliasTable({ 0.0 }).is_empty());
+	CHECK(AliasTable({}).is_empty());
+}
+
+TEST_CASE("over 100,000 households the drawn shares match the table") {
+	for (const char *file : { "rules/data/households_us_acs2023.csv", "rules/data/households_madrid_2001.csv" }) {
+		const Result<HouseholdTable> table = read_household_table(file);
+		REQUIRE(table.is_ok());
+		PopulationOptions options;
+		options.seed = 5;
+		options.households = 100'000;
+		Diagnostics diagnostics;
+		const Population population = generate_population(*table, city_of(1000, 2000), options, diagnostics);
+		CHECK(diagnostics.is_empty());
+		REQUIRE(population.households.size() == 100'000);
+		std::vector<double> drawn(table->patterns.size());
+		for (const Household &household : population.households) {
+			drawn[household.pattern] += 1.0;
+		}
+		double total = 0.0;
+		for (const HouseholdPattern &pattern : table->patterns) {
+			total += pattern.weight;
+		}
+		// Rows expected fewer than five times are put together, as the test asks for.
+		double chi = 0.0, rare_drawn = 0.0, rare_expected = 0.0;
+		int cells = 0;
+		for (size_t i = 0; i < drawn.size(); ++i) {
+			const double expected = 100'000.0 * table->patterns[i].weight / total;
+			if (expected < 5.0) {
+				rare_drawn += drawn[i];
+				rare_expected += expected;
+				continue;
+			}
+			chi += (drawn[i] - expected) * (drawn[i] - expected) / expected;
+			++cells;
+		}
+		if (rare_expected > 0.0) {
+			chi += (rare_drawn - rare_expected) * (rare_drawn - rare_expected) / rare_expected;
+			++cells;
+		}
+		CHECK(chi < chi_squared_limit(cells - 1));
+	}
+}
+
+TEST_CASE("members are as the pattern says, adults first, somebody always 18 or over") {
+	const HouseholdTable table = table_of("descriptor,count,adult_from\nOne adult woman with two minors,1,16\nTwo adults aged 16-34,1,16\n");
+	for (uint64_t i = 0; i < 2000; ++i) {
+		Random random(3, i);
+		const std::vector<DrawnMember> family = draw_members(table.patterns[0], random);
+		REQUIRE(family.size() == 3);
+		CHECK(family[0].gender == Gender::Woman);
+		CHECK(family[1].age <= 15);
+		CHECK(family[2].age <= 15);
+		CHECK(family[0].age >= family[1].age + 18);
+		CHECK(family[0].age <= std::min(family[1].age, family[2].age) + 45);
+		const std::vector<DrawnMember> pair = draw_members(table.patterns[1], random);
+		REQUIRE(pair.size() == 2);
+		CHECK(pair[0].age >= 18);
+		CHECK(pair[1].age >= 16);
+		CHECK(pair[1].age <= 34);
+	}
+}
+
+TEST_CASE("the number of persons asked for is met, and the same seed gives the same people") {
+	const Result<HouseholdTable> table = read_household_table("rules/data/households_us_acs2023.csv");
+	REQUIRE(table.is_ok());
+	PopulationOptions options;
+	options.persons = 600;
+	Diagnostics diagnostics;
+	const CityModel city = city_of(300, 6);
+	const Population population = generate_population(*table, city, options, diagnostics);
+	CHECK(population.persons.size() == 600);
+	const Population again = generate_population(*table, city, options, diagnostics);
+	REQUIRE(again.persons.size() == 600);
+	for (size_t i = 0; i < 600; ++i) {
+		CHECK(again.persons[i].age == population.persons[i].age);
+		CHECK(again.persons[i].name == population.persons[i].name);
+		CHECK(again.home_of(PersonId(uint32_t(i))) == population.home_of(PersonId(uint32_t(i))));
+		CHECK(population.persons[i].walking_speed >= slowest_walking_speed);
+	}
+	options.seed = 2;
+	const Population other = generate_population(*table, city, options, diagnostics);
+	int same = 0;
+	for (size_t i = 0; i < 600; ++i) {
+		same += other.persons[i].age == population.persons[i].age;
+	}
+	CHECK(same < 100);
+}
+
+TEST_CASE("members of a household stand together and know it") {
+	Diagnostics diagnostics;
+	PopulationOptions options;
+	options.households = 50;
+	const Population population =
+			generate_population(table_of("descriptor,count\nCouple with one child,1\n"), city_of(100, 6), options, diagnostics);
+	REQUIRE(population.persons.size() == 150);
+	for (uint32_t i = 0; i < 150; ++i) {
+		CHECK(population.persons[i].household == HouseholdId(i / 3));
+		CHECK(!full_name(population, PersonId(i)).empty());
+	}
+	CHECK(population.households[7].first_member == PersonId(21));
+}
+
+TEST_CASE("no home takes more persons than its capacity, and those left out are counted with both figures") {
+	Diagnostics diagnostics;
+	PopulationOptions options;
+	options.persons = 100;
+	const Population population = generate_population(table_of("descriptor,count\nTwo adults,1\n"), city_of(10, 5), options, diagnostics);
+	CHECK(population.persons.size() == 40); // two couples in each home of five
+	std::map<uint32_t, int> living;
+	for (const Household &household : population.households) {
+		living[index_of(household.home)] += household.member_count;
+	}
+	for (const auto &[home, persons] : living) {
+		CHECK(persons == 4);
+	}
+	REQUIRE(diagnostics.warning_count() == 1);
+	CHECK(diagnostics.list()[0].id == "too-few-homes");
+	CHECK(diagnostics.list()[0].message.find("100 persons") != std::string::npos);
+	CHECK(diagnostics.list()[0].message.find("take 50") != std::string::npos);
+}
+
+TEST_CASE("homes of single persons can be filled to the last place") {
+	Diagnostics diagnostics;
+	PopulationOptions options;
+	options.persons = 50;
+	CHECK(generate_population(table_of("descriptor,count\nOne man,1\n"), city_of(10, 5), options, diagnostics).persons.size() == 50);
+	CHECK(diagnostics.is_empty());
+	options.persons = 51;
+	CHECK(generate_population(table_of("descriptor,count\nOne man,1\n"), city_of(10, 5), options, diagnostics).persons.size() == 50);
+	CHECK(diagnostics.warning_count() == 1);
+}
+
+TEST_CASE("a building that says no capacity takes the default") {
+	Diagnostics diagnostics;
+	PopulationOptions options;
+	options.persons = 100;
+	options.default_capacity = 3;
+	CHECK(generate_population(table_of("descriptor,count\nOne man,1\n"), city_of(10, 0), options, diagnostics).persons.size() == 30);
+}
+
+TEST_CASE("households larger than any home are drawn again, with one warning") {
+	Diagnostics diagnostics;
+	PopulationOptions options;
+	options.persons = 40;
+	const Population population =
+			generate_population(table_of("descriptor,count\nOne man,1\nSix adults,1\n"), city_of(20, 4), options, diagnostics);
+	CHECK(population.persons.size() == 40);
+	REQUIRE(diagnostics.warning_count() == 1);
+	CHECK(diagnostics.list()[0].id == "homes-too-small");
+}
+
+TEST_CASE("a city without homes is an error, and nobody to house is nobody") {
+	Diagnostics diagnostics;
+	PopulationOptions options;
+	const HouseholdTable table = table_of("descriptor,count\nOne man,1\n");
+	CHECK(generate_population(table, city_of(3, 4), options, diagnostics).persons.empty());
+	CHECK(diagnostics.is_empty());
+	options.persons = 10;
+	CHECK(generate_population(table, CityModel(), options, diagnostics).persons.empty());
+	REQUIRE(diagnostics.error_count() == 1);
+	CHECK(diagnostics.list()[0].id == "no-homes");
+}
+
+TEST_CASE("walking speeds are those of the sources") {
+	CHECK(mean_walking_speed(Gender::Man, 45) == doctest::Approx(1.434));
+	CHECK(mean_walking_speed(Gender::Woman, 95) == doctest::Approx(0.943));
+	CHECK(mean_walking_speed(Gender::Woman, 4) == doctest::Approx(1.0));
+	CHECK(mean_walking_speed(Gender::Man, 1) == doctest::Approx(1.1));
+}
