@@ -35,7 +35,7 @@ struct PersonRecord {
 	uint32_t place = none; // index of what it is at, or walks to; see place_kind
 	uint32_t walk = none; // in the WalkPool
 	uint32_t behavior = none; // of the running rule
-	uint32_t party = none; // of the group walk that it is called to
+	uint32_t party = none; // of the group walk that it takes part in; entries wait until that is over
 	uint32_t entry_target = none;
 	float first_metre = 0.0f; // of the walk, at the begin of the present span
 	uint16_t entry_task = PlannedEntry::hole;
@@ -46,10 +46,10 @@ struct PersonRecord {
 	TaskKind entry_kind = TaskKind::StayInside;
 	uint8_t object_place = 0xFF; // reserved place of `reserved_object`
 	uint32_t reserved_object = none;
-	bool is_ready = false; // for the group walk: has stopped doing other things
-	bool is_collected = false; // by the leader of the group
 	bool is_late_noted = false;
 
+	// Called to a group walk and done with everything else: entries begin only after it.
+	bool is_in_group() const { return party != none; }
 	Target target() const { return { place_kind, place }; }
 	PlannedEntry entry() const { return { entry_start, entry_end, entry_target, entry_task, entry_kind }; }
 };

@@ -29,6 +29,9 @@
 namespace pcg {
 
 class Behavior;
+namespace agenda {
+struct World;
+}
 
 struct SimulationSettings {
 	uint64_t seed = 1; // the one that the agendas were generated with, so that attributes keep their values
@@ -115,7 +118,15 @@ public:
 
 private:
 	friend class Behavior;
-	struct Party;
+
+	// One group task on one day (PCG language, section 5).
+	struct Party {
+		uint32_t group = PersonRecord::none;
+		PersonId leader = PersonId::Invalid;
+		BuildingId goal = BuildingId::Invalid;
+		std::vector<PersonId> pending; // joiners that the leader has not met yet, ascending
+		std::vector<PersonId> collected;
+	};
 
 	// simulation.cpp: the loop
 	PersonRecord &record(PersonId id) { return _persons[index_of(id)]; }
@@ -124,72 +135,74 @@ private:
 	void wake(PersonId id);
 	void on_due(PersonId id);
 	void schedule(PersonId id);
-	SimTime next_moment(PersonId id) const;
 	void take_in_city_edits();
 
-	// simulation_report.cpp: what observers and hosts hear
+	// simulation_report.cpp: what observers and the host hear
 	void emit(PersonId id, SimEventKind kind, Target place = {});
 	void close_span(PersonId id);
-	void count_outside(int change);
+	void change_outside(int change);
+	bool has_bodies() const { return _settings.has_live_bodies && !_is_replaying; }
 	void show_standing(PersonId id);
+	void show_walking(PersonId id);
 
-	// simulation_walk.cpp
-	bool set_out(PersonId id, Target goal, Purpose purpose);
-	std::vector<glm::vec3> find_way(PersonId id, Target goal) const;
-	std::vector<glm::vec3> way_between(std::span<const glm::vec3> from, std::span<const glm::vec3> to) const;
-	void begin_walk(PersonId id, uint32_t walk, Target goal, Purpose purpose);
+	// simulation_walk.cpp: being somewhere and getting elsewhere
+	bool go_to_building(PersonId id, BuildingId building, Purpose purpose);
+	bool go_to_point(PersonId id, Target goal, glm::vec3 point, Purpose purpose);
+	std::vector<glm::vec3> find_way(PersonId id, std::span<const glm::vec3> goals);
+	void set_out(PersonId id, uint32_t walk, Target goal, Purpose purpose);
+	void find_doors(BuildingId building, std::vector<glm::vec3> &doors) const;
 	void stop_walk(PersonId id);
 	void arrive(PersonId id);
-	void leave_building(PersonId id, glm::vec3 exit);
+	void end_walk(PersonId id);
+	void leave_building(PersonId id, glm::vec3 door);
 	void enter_building(PersonId id, BuildingId building, glm::vec3 door);
 	void stand(PersonId id, PersonState state, Target place, glm::vec3 position);
-	void use_place(PersonId id, ObjectId object, uint8_t place, AgentPose pose);
+	void use_place(PersonId id, AgentPose pose);
+	bool reserve_place(PersonId id, ObjectId object);
 	void release_place(PersonId id);
-	bool goal_position(PersonId id, Target goal, glm::vec3 &position) const;
 
 	// simulation_tasks.cpp: entries of the agenda
+	BuildingId home_of(PersonId id) const { return _population.home_of(id); }
 	void begin_entry(PersonId id);
 	void begin_stay(PersonId id, BuildingId building);
 	void begin_rule(PersonId id, RuleId rule, SimTime end);
 	void begin_slot(PersonId id);
-	void end_rule(PersonId id, bool is_cut);
+	void resume_rule(PersonId id);
+	void end_rule(PersonId id, SimEventKind how);
 	void idle_until_next(PersonId id);
 	void note_lateness(PersonId id);
 	uint32_t choose_floating_task(PersonId id) const;
-
-	// simulation_behavior.cpp: delayed rules while they run
-	void resume_rule(PersonId id);
-	void after_rule_ran(PersonId id);
 	uint32_t borrow_behavior();
-	void drop_behavior(PersonId id);
 
-	// simulation_groups.cpp
+	// simulation_groups.cpp: walking together
 	void begin_accompany(PersonId id, uint32_t group);
 	uint32_t call_party(uint32_t group, PersonId caller);
-	bool is_expected(PersonId id, uint32_t group, SimTime around) const;
-	void become_ready(PersonId id);
+	bool is_expected(PersonId id, uint32_t group, SimTime entry_start) const;
 	void lead_on(uint32_t party);
-	bool is_with_leader(const Party &party, PersonId id) const;
-	bool collect_here(uint32_t party);
-	void go_for_next(uint32_t party);
-	void walk_to_goal(uint32_t party);
-	bool walk_together(uint32_t party, Target goal, Purpose purpose);
-	void party_arrived(uint32_t party);
-	void pickup_reached(uint32_t party);
+	bool is_with_leader(PersonId leader, PersonId joiner) const;
+	void collect_here(Party &party);
+	PersonId nearest_pending(const Party &party) const;
+	void wait_for_pending(Party &party);
+	void fetch(uint32_t party, PersonId joiner);
+	bool walk_together(Party &party, Target goal, std::span<const glm::vec3> points, Purpose purpose);
+	void group_walk_ended(PersonId leader, Purpose purpose);
+	void enter_together(Party &party, BuildingId building, glm::vec3 door);
 	void lose_patience(PersonId id);
 	void go_alone(PersonId id);
-	void dissolve(uint32_t party);
-	void leave_party(PersonId id);
+	void end_party(uint32_t party);
+	void go_on_after_group(PersonId id);
 
 	// time_jump.cpp
 	void place_everybody(SimTime time);
-	void replay_household(HouseholdId household, SimTime time);
-	SimTime find_anchor(HouseholdId household, SimTime time) const;
+	void replay_household(const Household &household, SimTime time);
+	SimTime find_anchor(const Household &household, SimTime time) const;
 	bool is_settled(PersonId id, SimTime time, BuildingId &building) const;
-	void put_inside(PersonId id, BuildingId building, SimTime time);
+	BuildingId building_of(PersonId id, const PlannedEntry &entry) const;
+	void put_inside(PersonId id, SimTime time);
+	void forget_everything();
 	void show_everybody();
 	void hide_everybody();
-	void reset();
+	Duration longest_walk() const;
 
 	const CityModel &_city;
 	const PathProvider &_paths;
@@ -202,7 +215,7 @@ private:
 	SimTime _now;
 	bool _has_started = false;
 	bool _is_replaying = false; // during a jump: nobody is told anything
-	Duration _settling; // longer than any walk through this city takes
+	Duration _settling; // longer than any walk through this city should take
 	uint64_t _city_revision = 0;
 	EventQueue _queue;
 	EventQueue _replay_queue;
@@ -215,11 +228,11 @@ private:
 	std::vector<uint32_t> _free_parties;
 	WalkPool _walks;
 	Reservations _reservations;
-	struct BehaviorWorld;
-	std::unique_ptr<BehaviorWorld> _behavior_world;
+	std::unique_ptr<agenda::World> _rule_world; // null without a program
 	std::vector<std::unique_ptr<Behavior>> _behaviors;
 	std::vector<uint32_t> _free_behaviors;
 	std::vector<SimulationObserver *> _observers;
+	std::vector<glm::vec3> _from_points, _to_points; // scratch, kept so that steps do not allocate
 	SimulationStatistics _statistics;
 	Diagnostics _diagnostics;
 };

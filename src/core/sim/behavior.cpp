@@ -1,0 +1,162 @@
+#include "core/sim/behavior.h"
+
+#include <glm/geometric.hpp>
+
+#include "core/sim/simulation.h"
+
+namespace pcg {
+
+namespace {
+
+// A rule that loops without ever waiting must not hold the simulation up.
+constexpr VmLimits behavior_limits{ .max_depth = 1000, .max_steps = 1'000'000, .max_stack = 4096 };
+constexpr uint64_t rule_stream = 0x72756C65; // keeps draws of rules apart from those for floating slots
+constexpr float arm_length = 0.01f; // metres within which a person stands at its place
+
+} // namespace
+
+Behavior::Behavior(Simulation &simulation, const agenda::World &world, const SimulationSettings &settings)
+	: agenda::Context(world), _simulation(simulation), _seed(settings.seed), _vm(*world.program, *this, behavior_limits) {
+	for (const auto &[name, value] : settings.attributes) {
+		_vm.override_attribute(name, value);
+	}
+}
+
+RunState Behavior::begin(PersonId person, RuleId rule) {
+	_person = person;
+	_uses_on_arrival = false;
+	set_household(population().person(person).household);
+	set_focus(person);
+	_vm.begin(derive_seed(_seed, index_of(household_id())));
+	_random = Random(derive_seed(derive_seed(_seed, rule_stream), index_of(person)), uint64_t(_simulation.now().ms));
+	_vm.use_random(_random);
+	return _vm.call(rule);
+}
+
+RunState Behavior::resume() {
+	if (_uses_on_arrival) {
+		_uses_on_arrival = false;
+		_simulation.use_place(_person, _pose);
+	}
+	return _vm.resume();
+}
+
+void Behavior::end() {
+	if (_vm.is_paused()) {
+		_vm.abandon();
+	}
+}
+
+Flow Behavior::wait(double seconds) {
+	if (!(seconds > 0.0)) {
+		return Flow::Next;
+	}
+	_simulation.record(_person).due = _simulation.now() + Duration::seconds(seconds);
+	return Flow::Pause;
+}
+
+Flow Behavior::wait_until_next_task() {
+	_simulation.record(_person).due = never;
+	return Flow::Pause;
+}
+
+Flow Behavior::stay_inside(double seconds) {
+	if (_simulation.is_outside(_person)) {
+		_vm.warn("stay-outdoors", "stayInside(seconds) while the person is outdoors: it waits there",
+				"call goToBuilding(building) before it");
+	}
+	return wait(seconds);
+}
+
+Flow Behavior::go_to_building(double number) {
+	const BuildingId building = to_id<BuildingId>(number, city().buildings().size());
+	if (!is_valid(building)) {
+		_simulation.emit(_person, SimEventKind::Unreachable);
+		return Flow::Stop;
+	}
+	const PersonRecord &record = _simulation.record(_person);
+	if (record.state == PersonState::Inside && record.target().building() == building) {
+		return Flow::Next;
+	}
+	return _simulation.go_to_building(_person, building, Purpose::Rule) ? Flow::Pause : Flow::Stop;
+}
+
+Flow Behavior::go_to_zone(const Text &type) {
+	glm::vec3 position{ 0.0f };
+	glm::vec3 entry{ 0.0f };
+	const TypeId id = find_type(type);
+	ZoneId zone = ZoneId::Invalid;
+	if (is_valid(id) && present_position(position)) {
+		zone = paths().nearest_zone(id, position, entry);
+	}
+	if (!is_valid(zone)) {
+		_simulation.emit(_person, SimEventKind::Unreachable);
+		return Flow::Stop;
+	}
+	return _simulation.go_to_point(_person, target_of(zone), entry, Purpose::Rule) ? Flow::Pause : Flow::Stop;
+}
+
+bool Behavior::find_object(double number, ObjectId &object) {
+	object = to_id<ObjectId>(number, city().objects().size());
+	if (is_valid(object) && !city().object(object).is_removed) {
+		return _simulation.reserve_place(_person, object);
+	}
+	_simulation.emit(_person, SimEventKind::Unreachable);
+	return false;
+}
+
+Flow Behavior::go_to_object(double number) {
+	ObjectId object = ObjectId::Invalid;
+	if (!find_object(number, object)) {
+		return Flow::Stop;
+	}
+	const Place &place = city().object(object).places[_simulation.record(_person).object_place];
+	const bool goes = _simulation.go_to_point(_person, target_of(object), place.position, Purpose::Rule);
+	return goes ? Flow::Pause : Flow::Stop;
+}
+
+Flow Behavior::interact(double number, std::string_view action) {
+	ObjectId object = ObjectId::Invalid;
+	if (!find_object(number, object)) {
+		return Flow::Stop;
+	}
+	_pose = action == "sit" ? AgentPose::Sit : AgentPose::Stand;
+	const PersonRecord &record = _simulation.record(_person);
+	const Place &place = city().object(object).places[record.object_place];
+	if (record.state != PersonState::Inside && glm::distance(record.position, place.position) <= arm_length) {
+		_simulation.use_place(_person, _pose);
+		return Flow::Next;
+	}
+	_uses_on_arrival = true;
+	const bool goes = _simulation.go_to_point(_person, target_of(object), place.position, Purpose::Rule);
+	return goes ? Flow::Pause : Flow::Stop;
+}
+
+Value Behavior::day(Vm &) { return Value::of(double(_simulation.now().weekday())); }
+
+Value Behavior::time(Vm &) { return Value::of(_simulation.now().time_of_day().in_seconds()); }
+
+bool Behavior::present_position(glm::vec3 &position) const {
+	position = _simulation.position(_person);
+	const PersonRecord &record = _simulation.record(_person);
+	return record.state != PersonState::Inside || is_valid(record.target().building());
+}
+
+bool Behavior::has_free_place(ObjectId object) const {
+	return _simulation.record(_person).reserved_object == index_of(object) || _simulation.is_place_free(object);
+}
+
+void Behavior::report(Diagnostic diagnostic) {
+	if (_simulation._is_replaying) {
+		return;
+	}
+	diagnostic.message += " (person " + std::to_string(index_of(_person)) + " of household " +
+			std::to_string(index_of(household_id())) + ", day " + std::to_string(_simulation.now().day()) + ", " +
+			clock_text(_simulation.now().time_of_day(), true) + ")";
+	if (diagnostic.severity == Severity::Error) {
+		_simulation.emit(_person, SimEventKind::RuleFailed);
+	}
+	_simulation._diagnostics.add(std::move(diagnostic));
+}
+
+} // namespace pcg

@@ -1,0 +1,176 @@
+#include "core/sim/simulation.h"
+
+#include <algorithm>
+
+#include "core/agenda/context.h"
+#include "core/sim/behavior.h"
+
+namespace pcg {
+
+Simulation::Simulation(const CityModel &city, const PathProvider &paths, const Population &population,
+		const AgendaSet &agendas, std::shared_ptr<const Program> program, SimulationSettings settings, AgentHost &host)
+	: _city(city), _paths(paths), _population(population), _agendas(agendas), _program(std::move(program)),
+	  _settings(std::move(settings)), _host(&host) {
+	_persons.resize(std::min(population.persons.size(), agendas.person_count()));
+	_party_of_group.resize(agendas.groups.size(), PersonRecord::none);
+	_floating_taken.resize(agendas.floating_tasks.size());
+	_queue.reserve(_persons.size() + 16);
+	_city_revision = city.revision() - 1;
+	take_in_city_edits();
+}
+
+Simulation::~Simulation() = default;
+
+void Simulation::start(SimTime time) {
+	if (_has_started) {
+		jump_to(time);
+		return;
+	}
+	_has_started = true;
+	take_in_city_edits();
+	place_everybody(time);
+	show_everybody();
+}
+
+void Simulation::advance_to(SimTime time) {
+	if (!_has_started || time < _now) {
+		return;
+	}
+	take_in_city_edits();
+	run_queue(_queue, time);
+	_now = time;
+}
+
+void Simulation::run_queue(EventQueue &queue, SimTime until) {
+	while (!queue.is_empty() && queue.top().time <= until) {
+		const EventQueue::Due due = queue.pop();
+		PersonRecord &person = record(due.person);
+		if (person.queued != due.time) {
+			continue; // it was planned anew since
+		}
+		person.queued = never;
+		_now = due.time;
+		_statistics.handled_moments += _is_replaying ? 0 : 1;
+		wake(due.person);
+	}
+}
+
+// In this order: what the person did is over, then its rule's time, then the entry's.
+void Simulation::wake(PersonId id) {
+	if (record(id).due <= _now) {
+		on_due(id);
+	}
+	if (record(id).behavior != PersonRecord::none && record(id).rule_end <= _now && record(id).entry_end > _now) {
+		end_rule(id, SimEventKind::RuleCut);
+	}
+	if (record(id).entry_end <= _now && !record(id).is_in_group()) {
+		begin_entry(id);
+	}
+	schedule(id);
+}
+
+void Simulation::on_due(PersonId id) {
+	PersonRecord &person = record(id);
+	person.due = never;
+	if (person.state == PersonState::Walking) {
+		arrive(id);
+	} else if (person.is_in_group()) {
+		lose_patience(id);
+	} else if (person.behavior != PersonRecord::none) {
+		resume_rule(id);
+	}
+}
+
+void Simulation::schedule(PersonId id) {
+	PersonRecord &person = record(id);
+	SimTime next = person.due;
+	if (person.behavior != PersonRecord::none) {
+		next = std::min(next, person.rule_end);
+	}
+	if (!person.is_in_group()) {
+		next = std::min(next, person.entry_end);
+	}
+	if (next != person.queued && next != never) {
+		_active_queue->push({ next, id });
+	}
+	person.queued = next;
+}
+
+SimTime Simulation::next_due() const {
+	const SimTime latest = _now + Duration{ 7 * one_day.ms };
+	return _queue.is_empty() ? latest : std::min(latest, _queue.top().time);
+}
+
+void Simulation::take_in_city_edits() {
+	if (_city_revision == _city.revision()) {
+		return;
+	}
+	_city_revision = _city.revision();
+	_reservations.update(_city);
+	_inside_counts.resize(_city.buildings().size());
+	_settling = longest_walk();
+	if (_program) {
+		if (!_rule_world) {
+			_rule_world = std::make_unique<agenda::World>();
+		}
+		*_rule_world = agenda::make_world(*_program, _city, _paths, _population); // in place: behaviors point to it
+	}
+}
+
+glm::vec3 Simulation::position(PersonId id) const {
+	const PersonRecord &person = record(id);
+	return person.state == PersonState::Walking ? _walks[person.walk].position_at(_now) : person.position;
+}
+
+PersonView Simulation::view(PersonId id) const {
+	const PersonRecord &person = record(id);
+	PersonView result;
+	result.state = person.state;
+	result.place = person.target();
+	result.pose = person.pose;
+	result.position = person.position;
+	result.since = person.since;
+	result.entry = person.entry();
+	if (person.is_in_group()) {
+		result.leader = _parties[person.party].leader;
+	}
+	if (person.state == PersonState::Walking) {
+		const Walk &walk = _walks[person.walk];
+		result.position = point_along(walk.points, walk.metres_at(_now), &result.facing);
+		result.arrival = walk.arrival;
+		result.speed = walk.speed;
+		result.path = walk.points;
+	} else if (person.state == PersonState::AtPlace && person.object_place != Reservations::none) {
+		result.object_place = person.object_place;
+		result.facing = _city.object(ObjectId(person.reserved_object)).places[person.object_place].facing;
+	}
+	return result;
+}
+
+uint32_t Simulation::inside_count(BuildingId building) const {
+	return index_of(building) < _inside_counts.size() ? _inside_counts[index_of(building)] : 0;
+}
+
+std::vector<PersonId> Simulation::persons_inside(BuildingId building) const {
+	std::vector<PersonId> result;
+	for (uint32_t i = 0; i < _persons.size(); ++i) {
+		if (_persons[i].state == PersonState::Inside && _persons[i].target().building() == building) {
+			result.push_back(PersonId(i));
+		}
+	}
+	return result;
+}
+
+std::vector<PersonId> Simulation::persons_outside() const {
+	std::vector<PersonId> result;
+	for (uint32_t i = 0; i < _persons.size(); ++i) {
+		if (_persons[i].state != PersonState::Inside) {
+			result.push_back(PersonId(i));
+		}
+	}
+	return result;
+}
+
+void Simulation::remove_observer(SimulationObserver &observer) { std::erase(_observers, &observer); }
+
+} // namespace pcg

@@ -1,0 +1,178 @@
+#include <algorithm>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+#include "core/sim/behavior.h"
+#include "core/sim/simulation.h"
+
+// Time jumps (PCG language, section 8; paper, Algorithm 2). The paper interpolates one walk; here each household is put into the last moment
+// at which all of its members were surely inside a building, and lives from there to the new time by the very same code as ever, so that
+// walks, rules, seats and groups come out as they would have. Households do so one after the other: who comes later finds the seats taken.
+namespace pcg {
+
+namespace {
+constexpr int anchor_tries = 64; // entries to look back, per household
+constexpr Duration oldest_anchor = Duration::hours(48);
+constexpr double detour = 1.5; // of streets against the straight line
+}
+
+void Simulation::jump_to(SimTime time) {
+	if (!_has_started) {
+		start(time);
+		return;
+	}
+	const SimTime from = _now;
+	flush_lived();
+	hide_everybody();
+	take_in_city_edits();
+	place_everybody(time);
+	for (SimulationObserver *observer : _observers) {
+		observer->on_jump(from, time);
+	}
+	show_everybody();
+}
+
+void Simulation::forget_everything() {
+	for (PersonRecord &person : _persons) {
+		if (person.behavior != PersonRecord::none) {
+			_behaviors[person.behavior]->end();
+			_free_behaviors.push_back(person.behavior);
+		}
+	}
+	_persons.assign(_persons.size(), PersonRecord());
+	_queue.clear();
+	_replay_queue.clear();
+	_walks.clear();
+	_reservations.clear();
+	_parties.clear();
+	_free_parties.clear();
+	std::fill(_party_of_group.begin(), _party_of_group.end(), PersonRecord::none);
+	std::fill(_floating_taken.begin(), _floating_taken.end(), std::numeric_limits<int32_t>::min());
+	std::fill(_inside_counts.begin(), _inside_counts.end(), 0);
+	_statistics.outside = 0;
+}
+
+void Simulation::place_everybody(SimTime time) {
+	forget_everything();
+	_is_replaying = true;
+	_active_queue = &_replay_queue;
+	for (const Household &household : _population.households) {
+		if (household.member_count > 0 && index_of(household.first_member) + household.member_count <= _persons.size()) {
+			replay_household(household, time);
+		}
+	}
+	_active_queue = &_queue;
+	_is_replaying = false;
+	_now = time;
+	for (PersonRecord &person : _persons) {
+		person.since = time;
+		person.first_metre = person.walk == WalkPool::none ? 0.0f : float(_walks[person.walk].metres_at(time));
+	}
+	if (_statistics.outside > _statistics.peak_outside) {
+		_statistics.peak_outside = _statistics.outside;
+		_statistics.peak_time = time;
+	}
+}
+
+void Simulation::replay_household(const Household &household, SimTime time) {
+	const uint32_t first = index_of(household.first_member);
+	const SimTime anchor = find_anchor(household, time);
+	_now = anchor;
+	for (uint32_t i = 0; i < household.member_count; ++i) {
+		put_inside(PersonId(first + i), anchor);
+	}
+	run_queue(_replay_queue, time);
+	while (!_replay_queue.is_empty()) {
+		const EventQueue::Due due = _replay_queue.pop();
+		if (record(due.person).queued == due.time) {
+			_queue.push(due);
+		}
+	}
+}
+
+// Where the entry leads, if it is a stay, a walk or a hole; Invalid for the others and for homes that are not there.
+BuildingId Simulation::building_of(PersonId id, const PlannedEntry &entry) const {
+	if (entry.is_hole()) {
+		return home_of(id);
+	}
+	const bool is_stay = entry.kind == TaskKind::StayInside || entry.kind == TaskKind::GoToBuilding;
+	return is_stay && entry.target < _city.buildings().size() ? BuildingId(entry.target) : BuildingId::Invalid;
+}
+
+// Whether the agenda has had the person in that building for so long that it surely is there.
+bool Simulation::is_settled(PersonId id, SimTime time, BuildingId &building) const {
+	const std::span<const Task> tasks = _agendas.tasks_of(id);
+	PlannedEntry entry = planned_entry_at(tasks, time);
+	building = building_of(id, entry);
+	const BuildingId home = home_of(id);
+	if (!is_valid(building) || (building != home && !std::isfinite(_paths.distance(home, building)))) {
+		return false;
+	}
+	while (time - entry.start < _settling) {
+		entry = planned_entry_at(tasks, entry.start - Duration{ 1 });
+		if (building_of(id, entry) != building) {
+			return false;
+		}
+	}
+	return true;
+}
+
+SimTime Simulation::find_anchor(const Household &household, SimTime time) const {
+	const uint32_t first = index_of(household.first_member);
+	SimTime candidate = time;
+	for (int i = 0; i < anchor_tries && time - candidate < oldest_anchor; ++i) {
+		bool are_settled = true;
+		SimTime latest_start{ std::numeric_limits<int64_t>::min() };
+		for (uint32_t member = first; member < first + household.member_count; ++member) {
+			BuildingId building;
+			are_settled = are_settled && is_settled(PersonId(member), candidate, building);
+			latest_start = std::max(latest_start, planned_entry_at(_agendas.tasks_of(PersonId(member)), candidate).start);
+		}
+		if (are_settled) {
+			return candidate;
+		}
+		candidate = latest_start - Duration{ 1 };
+	}
+	return time - one_day;
+}
+
+// Into the building that the agenda says; home where it says none. The entry goes on, or begins anew where it is a rule or the like.
+void Simulation::put_inside(PersonId id, SimTime time) {
+	PersonRecord &person = record(id);
+	const PlannedEntry entry = planned_entry_at(_agendas.tasks_of(id), time);
+	BuildingId building;
+	const bool goes_on = is_settled(id, time, building);
+	building = is_valid(building) && goes_on ? building : home_of(id);
+	person.place_kind = Target::Kind::Building;
+	person.place = index_of(building);
+	if (index_of(building) < _inside_counts.size()) {
+		++_inside_counts[index_of(building)];
+		const EntranceId entrance = _city.entrance_of(building);
+		person.position = is_valid(entrance) ? _city.entrance(entrance).position : glm::vec3(0.0f);
+	}
+	person.since = time;
+	person.entry_start = entry.start;
+	person.entry_end = goes_on ? entry.end : time;
+	person.entry_target = entry.target;
+	person.entry_task = entry.task;
+	person.entry_kind = entry.kind;
+	schedule(id);
+}
+
+Duration Simulation::longest_walk() const {
+	glm::vec3 low{ std::numeric_limits<float>::max() };
+	glm::vec3 high{ std::numeric_limits<float>::lowest() };
+	for (const Entrance &entrance : _city.entrances()) {
+		low = glm::min(low, entrance.position);
+		high = glm::max(high, entrance.position);
+	}
+	float slowest = 10.0f;
+	for (const Person &person : _population.persons) {
+		slowest = std::min(slowest, person.walking_speed);
+	}
+	const double diagonal = _city.entrances().empty() ? 0.0 : double(glm::distance(low, high));
+	return Duration::seconds(diagonal * detour / double(slowest)) + _settings.patience;
+}
+
+} // namespace pcg
