@@ -1,0 +1,70 @@
+#!/usr/bin/env python3
+"""Generates the bindings that a set of sources needs from the engine's API dump.
+
+usage: generate.py --api extension_api.json --interface gdextension_interface.h --sources DIR [DIR ...] --out DIR
+       generate.py --api extension_api.json --sources DIR [DIR ...] --profile build_profile.json [--check]
+
+The first form writes OUT/include and OUT/src; files that would not change keep their time stamps. The second writes
+(or with --check only compares) the list of engine classes that upstream's build profile wants.
+"""
+
+import argparse
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+from generator import builtins, classes, globals, interface, sources  # noqa: E402
+from generator.api import Api  # noqa: E402
+from generator.output import Output  # noqa: E402
+
+
+def parse_arguments(arguments):
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--api", required=True, help="the engine's --dump-extension-api")
+    parser.add_argument("--interface", help="the engine's --dump-gdextension-interface")
+    parser.add_argument("--sources", nargs="+", required=True, help="folders whose #includes choose the classes")
+    parser.add_argument("--out", help="where to write the generated files")
+    parser.add_argument("--precision", choices=("single", "double"), help="of real_t; default: as in the dump")
+    parser.add_argument("--profile", help="write upstream's build profile here")
+    parser.add_argument("--check", action="store_true", help="with --profile: write nothing, fail if it is out of date")
+    return parser.parse_args(arguments)
+
+
+def generate_all(api, options, included):
+    output = Output(options.out)
+    interface.generate(output, options.interface)
+    builtins.generate(output, api)
+    globals.generate(output, api)
+    names = sources.with_ancestors(api, included)
+    classes.generate(output, api, names)
+    output.remove_others()
+    print(f"bindings: {len(names)} engine classes, {output.changed} files changed ({api.version})")
+
+
+def write_profile(path, text, check):
+    current = Path(path).read_text(encoding="utf-8") if Path(path).exists() else ""
+    if current == text:
+        return 0
+    if check:
+        print(f"{path} is out of date: run bindings/generate.py --profile {path} with the sources' folders.")
+        return 1
+    Path(path).write_text(text, encoding="utf-8")
+    return 0
+
+
+def main(arguments):
+    options = parse_arguments(arguments)
+    api = Api(options.api, options.precision)
+    included = sources.included_classes(api, options.sources)
+    if options.out:
+        if not options.interface:
+            raise SystemExit("--out needs --interface")
+        generate_all(api, options, included)
+    if options.profile:
+        return write_profile(options.profile, sources.profile_text(included), options.check)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

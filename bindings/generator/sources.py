@@ -1,0 +1,39 @@
+"""Which classes of the engine do the sources use? Those whose headers they include."""
+
+import json
+import re
+from pathlib import Path
+
+_INCLUDE = re.compile(r'#\s*include\s*[<"]godot_cpp/classes/(\w+)\.hpp[>"]')
+# Hand-written or made of several classes.
+_NOT_A_CLASS = {"global_constants", "global_constants_binds", "ref", "wrapped"}
+_ALWAYS = {"Object", "RefCounted"}
+
+
+def included_classes(api, folders):
+    """Names of the included classes. An include of an unknown class ends the run with the place."""
+    found = set()
+    for folder in folders:
+        for path in sorted(Path(folder).rglob("*")):
+            if path.suffix not in (".h", ".hpp", ".cpp", ".inc"):
+                continue
+            for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+                match = _INCLUDE.search(line)
+                if not match or match[1] in _NOT_A_CLASS:
+                    continue
+                if match[1] not in api.by_header:
+                    raise SystemExit(f"{path}:{number}: this engine has no class with a header '{match[1]}.hpp'.")
+                found.add(api.by_header[match[1]])
+    return found
+
+
+def with_ancestors(api, names):
+    closed = set()
+    for name in set(names) | _ALWAYS:
+        closed |= set(api.lineage(name))
+    return closed
+
+
+def profile_text(names):
+    """build_profile.json, by which upstream's bindings generate the same classes."""
+    return json.dumps({"enabled_classes": sorted(names | _ALWAYS)}, indent=4) + "\n"
