@@ -125,15 +125,16 @@ Lot make_lot(const LayoutParameters &p, Rectangle inner, uint32_t column, uint32
 	const float x0 = inner.x0 + width * float(column), x1 = is_last ? inner.x1 : inner.x0 + width * float(column + 1);
 	const float middle = inner.z1 - depth;
 	const bool is_single = p.lots_deep == 1;
+	const auto street = [&](bool is_street) { return is_street ? p.street_width : 0.0f; };
 	Lot lot;
 	if (row == 0) {
 		lot.polygon = outline({ x0, is_single ? inner.z0 : middle, x1, inner.z1 });
-		lot.is_street_edge = { true, is_last, is_single, column == 0 };
+		lot.street_widths = { street(true), street(is_last), street(is_single), street(column == 0) };
 	} else {
 		lot.polygon = outline({ x0, inner.z0, x1, middle });
 		std::swap(lot.polygon[0], lot.polygon[2]);
 		std::swap(lot.polygon[1], lot.polygon[3]);
-		lot.is_street_edge = { true, column == 0, false, is_last };
+		lot.street_widths = { street(true), street(column == 0), street(false), street(is_last) };
 	}
 	return lot;
 }

@@ -34,8 +34,8 @@ struct Lot {
 	std::string type;
 	// The first edge is the front: it lies on a street.
 	std::vector<glm::vec3> polygon;
-	// For each edge whether it lies on a street; corner lots have two or more such.
-	std::vector<bool> is_street_edge;
+	// Width in metres of the street that the edge lies on, 0 = none. The front has one; corner lots have two or more such edges.
+	std::vector<float> street_widths;
 	uint64_t seed = 0; // depends on the layout's seed and the lot's id alone
 };
 

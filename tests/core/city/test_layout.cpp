@@ -98,9 +98,9 @@ TEST_CASE("one block of two rows lies where its measures say") {
 	REQUIRE(layout.lots.size() == 4);
 	// The south-western lot looks south, the one behind it north.
 	CHECK(layout.lots[0].polygon == std::vector<glm::vec3>{ { -20, 0, 30 }, { 0, 0, 30 }, { 0, 0, 0 }, { -20, 0, 0 } });
-	CHECK(layout.lots[0].is_street_edge == std::vector<bool>{ true, false, false, true });
+	CHECK(layout.lots[0].street_widths == std::vector<float>{ 8, 0, 0, 8 });
 	CHECK(layout.lots[2].polygon == std::vector<glm::vec3>{ { 0, 0, -30 }, { -20, 0, -30 }, { -20, 0, 0 }, { 0, 0, 0 } });
-	CHECK(layout.lots[2].is_street_edge == std::vector<bool>{ true, true, false, false });
+	CHECK(layout.lots[2].street_widths == std::vector<float>{ 8, 8, 0, 0 });
 	CHECK(layout.blocks[0].cell_min == layout.min);
 	CHECK(layout.blocks[0].cell_max == layout.max);
 }
@@ -131,13 +131,13 @@ TEST_CASE("every lot has its front and its other street edges on a pavement of i
 		const Layout layout = make(random_parameters(seed));
 		bool is_good = true;
 		for (const Lot &lot : layout.lots) {
-			is_good = is_good && lot.is_street_edge[0];
+			is_good = is_good && lot.street_widths[0] > 0.0f;
 			for (size_t edge = 0; edge < lot.polygon.size(); ++edge) {
 				const glm::vec3 a = lot.polygon[edge], b = lot.polygon[(edge + 1) % lot.polygon.size()];
 				// Outwards of a counter-clockwise edge: right of its direction.
 				const glm::vec3 along = glm::normalize(b - a);
 				const glm::vec3 outside = (a + b) / 2.0f + 0.1f * glm::vec3(-along.z, 0.0f, along.x);
-				is_good = is_good && lies_on_pavement(layout, lot.block, outside) == lot.is_street_edge[edge];
+				is_good = is_good && lies_on_pavement(layout, lot.block, outside) == (lot.street_widths[edge] > 0.0f);
 			}
 		}
 		CHECK(is_good);

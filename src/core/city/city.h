@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "core/cga/derivation.h"
+#include "core/city/layout.h"
+#include "core/geometry/mesh.h"
+#include "core/semantics/city_model.h"
+
+// A whole city: where things lie, what they look like and what they mean.
+namespace pcg {
+
+// What stands on one lot.
+struct LotBuild {
+	cga::DerivationResult model; // its diagnostics have been handed on and are empty
+	// Records in City::model, one for each in `model` and in the same order. The building is Invalid where there is no entrance.
+	BuildingId building = BuildingId::Invalid;
+	std::vector<EntranceId> entrances;
+	std::vector<ZoneId> zones;
+	std::vector<ObjectId> objects;
+	// Convex pieces of the lot on which one can walk in from the street: nothing stands on them, nothing encloses them.
+	std::vector<std::vector<glm::vec3>> free_ground;
+};
+
+// Streets, pavements and the ground of lots as surfaces.
+struct GroundModel {
+	std::vector<Material> materials;
+	Mesh streets; // with their crossings
+	std::vector<Mesh> blocks; // by BlockId: pavements and what is below the lots
+};
+
+struct City {
+	Layout layout;
+	CityModel model;
+	std::vector<LotBuild> lots; // by LotId
+	GroundModel ground;
+};
+
+} // namespace pcg
