@@ -78,6 +78,9 @@ private:
 };
 
 void add_ground(Layout &layout, GroundKind kind, Rectangle r, BlockId block = BlockId::Invalid) {
+	if (is_valid(block)) {
+		layout.blocks[index_of(block)].pavements.push_back(uint32_t(layout.ground.size()));
+	}
 	layout.ground.push_back({ kind, outline(r), block });
 }
 

@@ -41,6 +41,7 @@ struct Lot {
 
 struct CityBlock {
 	std::vector<LotId> lots;
+	std::vector<uint32_t> pavements; // indices in Layout::ground
 	glm::vec3 min{ 0.0f }, max{ 0.0f }; // with its pavements
 	// The block with its pavements and its half of the streets around (all of a street at the city's edge): these tile the city.
 	glm::vec3 cell_min{ 0.0f }, cell_max{ 0.0f };

@@ -146,33 +146,6 @@ void CityModel::remove_building(BuildingId id) {
 	_buildings[index_of(id)].is_removed = true;
 }
 
-void CityModel::clear_lot(LotId lot) {
-	for (size_t i = 0; i < _buildings.size(); ++i) {
-		if (_buildings[i].lot == lot && !_buildings[i].is_removed) {
-			const std::vector<EntranceId> entrances = _buildings[i].entrances;
-			for (EntranceId entrance : entrances) {
-				remove_entrance(entrance);
-			}
-		}
-	}
-	for (size_t i = 0; i < _zones.size(); ++i) {
-		if (_zones[i].lot == lot) {
-			remove_zone(ZoneId(i));
-		}
-	}
-	for (size_t i = 0; i < _objects.size(); ++i) {
-		if (_objects[i].lot == lot) {
-			remove_object(ObjectId(i));
-		}
-	}
-}
-
-BuildingId CityModel::building_of_lot(LotId lot) const {
-	const auto found = std::find_if(_buildings.begin(), _buildings.end(),
-			[lot](const Building &building) { return building.lot == lot && !building.is_removed; });
-	return found == _buildings.end() ? BuildingId::Invalid : BuildingId(found - _buildings.begin());
-}
-
 const std::vector<BuildingId> &CityModel::buildings_of_type(TypeId type) const {
 	return list_of(_buildings_of_type, type);
 }

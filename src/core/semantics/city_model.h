@@ -87,9 +87,6 @@ public:
 	void remove_zone(ZoneId id);
 	void remove_object(ObjectId id);
 	void remove_building(BuildingId id); // and its entrances
-	// Removes the lot's zones, objects and entrances, but keeps its buildings, so that a lot that is made anew can hang its entrances on
-	// them and its residents keep their address. Without new entrances such a building should be removed too.
-	void clear_lot(LotId lot);
 	uint64_t revision() const { return _revision; }
 
 	const std::vector<Building> &buildings() const { return _buildings; }
@@ -101,8 +98,6 @@ public:
 	const Zone &zone(ZoneId id) const { return _zones[index_of(id)]; }
 	const CityObject &object(ObjectId id) const { return _objects[index_of(id)]; }
 
-	// The first building of the lot that is not removed; Invalid if there is none.
-	BuildingId building_of_lot(LotId lot) const;
 	// Buildings with an entrance of the type, in order of id, without removed ones. An unknown type has none.
 	const std::vector<BuildingId> &buildings_of_type(TypeId type) const;
 	const std::vector<ObjectId> &objects_of_type(TypeId type) const;

@@ -97,25 +97,3 @@ TEST_CASE("an object without places gets one where it stands, and places follow 
 	city.remove_object(plain);
 	CHECK(city.objects_of_type(bench.type).empty());
 }
-
-TEST_CASE("clearing a lot keeps its building for new entrances and leaves other lots alone") {
-	CityModel city;
-	const BuildingId here = city.add_building(LotId(3)), there = city.add_building(LotId(4));
-	add_door(city, here, "house", 1);
-	add_door(city, there, "house", 1);
-	Zone park;
-	park.type = city.types.add("park");
-	park.lot = LotId(3);
-	city.add_zone(park);
-	CityObject bench;
-	bench.type = city.types.add("bench");
-	bench.lot = LotId(4);
-	city.add_object(bench);
-	city.clear_lot(LotId(3));
-	CHECK(city.buildings_of_type(city.types.find("house")) == std::vector<BuildingId>{ there });
-	CHECK(city.zones_of_type(park.type).empty());
-	CHECK(city.objects_of_type(bench.type).size() == 1);
-	CHECK(city.building_of_lot(LotId(3)) == here);
-	add_door(city, here, "house", 1);
-	CHECK(city.buildings_of_type(city.types.find("house")).size() == 2);
-}

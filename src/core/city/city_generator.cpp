@@ -1,0 +1,156 @@
+#include "core/city/city_generator.h"
+
+#include <algorithm>
+#include <mutex>
+
+#include "core/city/ground.h"
+#include "core/city/lot_messages.h"
+#include "core/city/lot_semantics.h"
+
+namespace pcg {
+
+namespace {
+
+// Interpreters at rest, by program: a thread takes one for a lot and gives it back, so that there are never more than threads.
+class Derivers {
+public:
+	explicit Derivers(const cga::DeriveOptions &options) : _options(options) {}
+
+	cga::DerivationResult derive(const Program &program, const cga::InitialShape &shape) {
+		std::unique_ptr<cga::Deriver> deriver = take(program);
+		cga::DerivationResult result = deriver->derive(shape);
+		const std::lock_guard<std::mutex> lock(_mutex);
+		_resting[&program].push_back(std::move(deriver));
+		return result;
+	}
+
+private:
+	std::unique_ptr<cga::Deriver> take(const Program &program) {
+		const std::lock_guard<std::mutex> lock(_mutex);
+		std::vector<std::unique_ptr<cga::Deriver>> &resting = _resting[&program];
+		if (resting.empty()) {
+			return std::make_unique<cga::Deriver>(program, _options);
+		}
+		std::unique_ptr<cga::Deriver> deriver = std::move(resting.back());
+		resting.pop_back();
+		return deriver;
+	}
+
+	const cga::DeriveOptions &_options;
+	std::mutex _mutex;
+	std::map<const Program *, std::vector<std::unique_ptr<cga::Deriver>>> _resting;
+};
+
+const LotRules *rules_of(const RulesByType &rules, const std::string &type) {
+	auto found = rules.find(type);
+	if (found == rules.end()) {
+		found = rules.find("");
+	}
+	return found != rules.end() && found->second.program ? &found->second : nullptr;
+}
+
+cga::InitialShape initial_shape(const Layout &layout, LotId id, const LotRules &rules) {
+	const Lot &lot = layout.lot(id);
+	std::vector<glm::dvec3> outline(lot.polygon.begin(), lot.polygon.end());
+	cga::InitialShape shape = cga::InitialShape::of(std::move(outline), lot.seed);
+	shape.street_widths = lot.street_widths;
+	shape.name = lot_name(layout, id);
+	shape.start_rule = rules.start_rule;
+	shape.attributes = rules.attributes;
+	return shape;
+}
+
+void build_lot(City &city, LotId id, const LotRules &rules, const CityOptions &options, Derivers &derivers) {
+	LotBuild &build = city.lots[index_of(id)];
+	build.model = derivers.derive(*rules.program, initial_shape(city.layout, id, rules));
+	build.free_ground = free_ground(city.layout.lot(id), build.model.mesh, options.free_ground);
+}
+
+// Where a lot cannot be used as what it is: neither a door nor a zone of its own type (a park).
+bool is_useless(const City &city, LotId id) {
+	const cga::DerivationResult &model = city.lots[index_of(id)].model;
+	const std::string &type = city.layout.lot(id).type;
+	const auto is_own_zone = [&](const cga::ModelZone &zone) { return zone.type == type; };
+	return model.entrances.empty() && std::none_of(model.zones.begin(), model.zones.end(), is_own_zone);
+}
+
+// Takes the messages of a freshly built lot, and adds our own.
+void collect_messages(City &city, LotId id, LotMessages &messages) {
+	LotBuild &build = city.lots[index_of(id)];
+	const std::string name = lot_name(city.layout, id);
+	messages.add(name, build.model.diagnostics);
+	build.model.diagnostics = Diagnostics();
+	if (is_useless(city, id)) {
+		const std::string &type = city.layout.lot(id).type;
+		Diagnostic warning{ Severity::Warning, "no-entrance", {}, 0, 0, {}, {}, {} };
+		warning.message = "its rules make neither an entrance nor a zone of type `" + type + "`, so nobody can go there";
+		warning.hint = "call entrance(\"" + type + "\") where the door is, or zone(\"" + type + "\")";
+		messages.add(name, std::move(warning));
+	}
+}
+
+void report_missing_rules(const Layout &layout, const RulesByType &rules, Diagnostics &diagnostics) {
+	std::map<std::string, size_t> missing;
+	for (const Lot &lot : layout.lots) {
+		if (!rules_of(rules, lot.type)) {
+			++missing[lot.type];
+		}
+	}
+	for (const auto &[type, count] : missing) {
+		diagnostics.error("no-rules", "there are no rules for the lot type `" + type + "`, so " + std::to_string(count) +
+						" lots stay empty", "name a rule file for this type, or one for all types without their own");
+	}
+}
+
+// On a lot without rules nothing stands.
+void leave_empty(City &city, LotId id, const CityOptions &options) {
+	city.lots[index_of(id)].free_ground = free_ground(city.layout.lot(id), Mesh(), options.free_ground);
+}
+
+} // namespace
+
+std::optional<City> generate_city(Layout layout, const RulesByType &rules, const CityOptions &options, Diagnostics &diagnostics) {
+	City city;
+	city.layout = std::move(layout);
+	city.lots.resize(city.layout.lots.size());
+	city.ground = make_ground(city.layout);
+	report_missing_rules(city.layout, rules, diagnostics);
+	Derivers derivers(options.derive);
+	const bool is_done = parallel_for(city.lots.size(), options.work, [&](size_t i) {
+		if (const LotRules *lot_rules = rules_of(rules, city.layout.lots[i].type)) {
+			build_lot(city, LotId(i), *lot_rules, options, derivers);
+		} else {
+			leave_empty(city, LotId(i), options);
+		}
+	});
+	if (!is_done) {
+		return std::nullopt;
+	}
+	LotMessages messages;
+	for (size_t i = 0; i < city.lots.size(); ++i) {
+		register_lot(city, LotId(i));
+		if (rules_of(rules, city.layout.lots[i].type)) {
+			collect_messages(city, LotId(i), messages);
+		}
+	}
+	messages.hand_over(diagnostics);
+	return city;
+}
+
+bool regenerate_lot(City &city, LotId lot, const RulesByType &rules, const CityOptions &options, Diagnostics &diagnostics) {
+	const LotRules *lot_rules = index_of(lot) < city.lots.size() ? rules_of(rules, city.layout.lot(lot).type) : nullptr;
+	if (!lot_rules) {
+		diagnostics.error("no-rules", "there are no rules for this lot", "name a rule file for its type");
+		return false;
+	}
+	Derivers derivers(options.derive);
+	build_lot(city, lot, *lot_rules, options, derivers);
+	unregister_lot(city, lot);
+	register_lot(city, lot);
+	LotMessages messages;
+	collect_messages(city, lot, messages);
+	messages.hand_over(diagnostics);
+	return true;
+}
+
+} // namespace pcg
