@@ -80,7 +80,7 @@ need_engine() {
 }
 
 build() {
-	scons -Q "$@" 2>&1 | sed -u '/is up to date\.$/d' >&2 || {
+	scons -Q "$@" 2>&1 | sed -u '/is up to date\.$/d; / 0 files changed/d' >&2 || {
 		say "the build failed"
 		return 1
 	}
