@@ -43,6 +43,7 @@ struct ParamSpec {
 struct Args {
 	std::span<const Value> values;
 	const Block *block = nullptr;
+	const Block *second_block = nullptr; // name(..) { .. } { .. }
 	const void *user = nullptr;
 	size_t count() const { return values.size(); }
 	const Value &operator[](size_t i) const { return values[i]; }

@@ -55,6 +55,7 @@ struct RuleInfo {
 struct Callable {
 	Chunk code = Chunk::None;
 	uint32_t param_count = 0;
+	uint32_t frame_size = 0; // with lexical locals: parameters and `with` values, which lie on the stack while it runs
 	uint32_t first_slot = 0; // with dynamic locals: the slots of its parameters lie at Program::param_slots[first_slot..]
 };
 

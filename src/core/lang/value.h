@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 // What expressions of the rule languages yield: 16 bytes, copied freely. Text and arrays live in the program's constants or in the arena of the
@@ -79,5 +80,7 @@ static_assert(sizeof(Value) == 16);
 
 // "number", "true or false", "text" ..: for messages.
 std::string_view type_name(ValueType type);
+// As `+` with text writes it: 1, 0.3, true, [1,2].
+std::string value_text(const Value &value);
 
 } // namespace pcg

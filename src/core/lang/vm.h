@@ -20,6 +20,7 @@ namespace pcg {
 
 struct VmLimits {
 	uint32_t max_depth = 1000; // nested rule and function calls
+	uint32_t max_native_depth = 250; // of them inside of handlers (bodies of blocks, predicates), which use the machine's stack
 	uint64_t max_steps = 50'000'000; // calls of rules, functions and operations in one run; an endless rule ends here at the latest
 	uint32_t max_stack = 32'768; // values
 };
@@ -140,22 +141,38 @@ public:
 private:
 	enum class Stop : uint8_t { Returned, Paused, Stopped };
 
+	// Where a handler's evaluation began, to go back to.
+	struct Border {
+		size_t frame_count;
+		uint32_t address;
+		uint32_t base;
+		Value *top;
+	};
+
 	Stop run();
 	bool enter(uint32_t callable, uint32_t count, uint32_t return_address, VmFrame::Kind kind);
-	bool enter_native(Chunk chunk);
-	void leave_native(size_t frame_count, uint32_t stack_size, uint32_t address);
-	void unwind_frames(size_t frame_count);
+	bool enter_native(Border &border);
+	void leave_native(const Border &border);
+	void pop_frame();
 	void unwind_trail(uint32_t mark);
 	void set_slot(uint32_t slot, const Value &value);
+	void hide_slots();
 	bool count_step();
+	const Value &load_attribute(uint32_t index);
 	Value evaluate_attribute(uint32_t index);
-	Value slow_arithmetic(uint32_t code, const Value &a, const Value &b);
-	Value compare(uint32_t code, const Value &a, const Value &b);
-	bool check_arguments(const std::vector<ParamSpec> &params, std::string_view name, std::span<const Value> values, uint32_t mask);
-	Value make_array_literal(uint32_t count, uint32_t columns, const Value *values);
+	Value arithmetic(OpCode code, const Value &a, const Value &b);
+	Value compare(OpCode code, const Value &a, const Value &b);
+	Value negate(const Value &value);
+	Value fail_types(OpCode code, const Value &a, const Value &b);
+	bool is_true(const Value &condition);
 	Value index_array(const Value &array, std::span<const Value> indices);
-	RunState finish(Stop stop);
+	bool check_arguments(const std::vector<ParamSpec> &params, std::string_view name, const Args &args, uint32_t mask);
+	Flow call_operation(const Instruction &instruction, uint32_t mask, const Block *block, const Block *second_block);
+	RunState finish(Stop stop, const Border &border);
 	Diagnostic diagnostic_here(Severity severity, std::string_view id, std::string message, std::string hint) const;
+	Value to_saved(const Value &value, VmState &state) const;
+	bool from_saved(Value &value, const VmState &state);
+	bool is_sound(const VmState &state) const;
 
 	const Program *_program;
 	VmHost *_host;
@@ -166,11 +183,13 @@ private:
 	bool _failed = false;
 	bool _is_paused = false;
 	uint32_t _native_depth = 0;
+	uint32_t _call_depth = 0;
 	uint64_t _steps = 0;
 
 	std::unique_ptr<std::byte[]> _memory; // the stack: never moves, pages are used when they are needed
 	Value *_stack = nullptr;
 	Value *_top = nullptr; // one behind the last value
+	Value *_stack_end = nullptr;
 	uint32_t _address = 0; // of the next instruction
 	uint32_t _base = 0; // parameters of the running frame begin here
 	std::vector<VmFrame> _frames;

@@ -1,0 +1,291 @@
+#include <algorithm>
+
+#include "core/lang/compiler.h"
+
+// Successors to code that leaves nothing on the stack.
+namespace pcg {
+
+void Compiler::body(uint32_t id) {
+	for (uint32_t child : _scope.ast->list(_scope.ast->bodies[id].commands)) {
+		command(_scope.ast->commands[child]);
+	}
+}
+
+Chunk Compiler::body_chunk(uint32_t id, uint32_t offset) {
+	begin_chunk();
+	body(id);
+	return end_chunk(OpCode::End, offset);
+}
+
+void Compiler::command(const Command &command) {
+	switch (command.kind) {
+		case CommandKind::Call:
+			call_command(command);
+			return;
+		case CommandKind::Group:
+			emit(OpCode::PushGroup, command.offset, 0);
+			body(command.body);
+			emit(OpCode::PopGroup, command.offset, 0);
+			return;
+		case CommandKind::Case:
+			case_command(command);
+			return;
+		case CommandKind::Chance:
+			chance_command(command);
+			return;
+		case CommandKind::Inline:
+			not_supported(command.offset, "inline; its commands run as if they stood here");
+			body(command.body);
+			return;
+		case CommandKind::ImportCall: {
+			not_supported(command.offset, "calls of an import with attributes of their own; the rule runs with the import's attributes");
+			Command plain = command;
+			plain.kind = CommandKind::Call;
+			const std::string name = std::string(_scope.ast->import_calls[command.block].import) + "." + std::string(command.name);
+			plain.block = no_node;
+			plain.name = _program->texts[symbol(name)].view;
+			call_command(plain);
+			return;
+		}
+	}
+}
+
+// --- Chains
+
+void Compiler::case_command(const Command &command) {
+	const auto branches = _scope.ast->list(command.branches);
+	std::vector<uint32_t> ends;
+	bool has_else = false;
+	for (uint32_t id : branches) {
+		const Branch &branch = _scope.ast->branches[id];
+		has_else = branch.condition == no_node;
+		if (has_else) {
+			body(branch.body);
+			break;
+		}
+		expression(branch.condition);
+		const uint32_t next = emit_jump(OpCode::JumpIfFalse, _scope.ast->exprs[branch.condition].offset, -1);
+		body(branch.body);
+		if (id != branches.back()) {
+			ends.push_back(emit_jump(OpCode::Jump, branch.offset, 0));
+		}
+		land(next);
+	}
+	for (uint32_t end : ends) {
+		land(end);
+	}
+	if (!has_else && !is_strict()) {
+		warn("missing-else", command.offset, "this `case` has no `else:`", "where no condition holds, nothing happens");
+	}
+}
+
+void Compiler::chance_command(const Command &command) {
+	std::vector<uint32_t> ends, shares;
+	emit(OpCode::Draw, command.offset, 1);
+	for (uint32_t id : _scope.ast->list(command.branches)) {
+		const Branch &branch = _scope.ast->branches[id];
+		if (branch.condition == no_node) {
+			emit(OpCode::Pop, branch.offset, -1);
+			body(branch.body);
+			break;
+		}
+		shares.push_back(branch.condition);
+		expression(branch.condition);
+		const uint32_t next = emit_jump(OpCode::ChanceJump, _scope.ast->exprs[branch.condition].offset, -2);
+		body(branch.body);
+		ends.push_back(emit_jump(OpCode::Jump, branch.offset, 1));
+		land(next);
+	}
+	const auto branches = _scope.ast->list(command.branches);
+	if (!branches.empty() && _scope.ast->branches[branches.back()].condition != no_node) {
+		emit(OpCode::Pop, command.offset, -1);
+	}
+	for (uint32_t end : ends) {
+		land(end);
+	}
+	warn_shares(shares);
+}
+
+// --- Calls
+
+void Compiler::call_command(const Command &command) {
+	if (is_dynamic() && command.name == "set") {
+		set_local(command);
+		return;
+	}
+	const uint32_t rule = _set.find_rule(_scope.space, command.name, command.arguments.count);
+	if (rule != no_node && command.block == no_node) {
+		rule_call(rule, command);
+		return;
+	}
+	const int operation = choose_operation(command.name, command.arguments);
+	if (operation >= 0) {
+		operation_call(operation, command);
+		return;
+	}
+	unknown_command(command);
+}
+
+// set(name, expr): the name is seen by this rule from here on and by the rules that it calls after it.
+void Compiler::set_local(const Command &command) {
+	const auto list = _scope.ast->list(command.arguments);
+	if (list.size() != 2) {
+		complain("wrong-argument-count", command.offset, "`set` does not take " + std::to_string(list.size()) + " arguments",
+				"it is set(name, value)");
+		return;
+	}
+	const Expr &target = _scope.ast->exprs[list[0]];
+	if (target.kind != ExprKind::Name || target.name.find('.') != std::string_view::npos) {
+		if (target.kind != ExprKind::Error) {
+			complain("not-a-name", target.offset, "`set` needs a plain name first", "as in set(time, 5m)");
+		}
+		return;
+	}
+	expression(list[1]);
+	emit(OpCode::SetSlot, command.offset, -1, slot(target.name));
+}
+
+void Compiler::rule_arguments(NodeRange list) {
+	for (uint32_t id : _scope.ast->list(list)) {
+		expression(id);
+	}
+}
+
+void Compiler::rule_call(uint32_t definition, const Command &command) {
+	rule_arguments(command.arguments);
+	const bool is_by_host = _dialect.rule_calls == Dialect::RuleCalls::ByHost;
+	const uint32_t index = _definitions[definition].index;
+	_edges.push_back({ _current_rule, index, false });
+	emit(is_by_host ? OpCode::CallHostRule : OpCode::CallRule, command.offset, -int(command.arguments.count), index, 0,
+			command.arguments.count);
+}
+
+void Compiler::operation_call(int operation, const Command &command) {
+	const OperationSpec &spec = _dialect.operations[size_t(operation)];
+	const uint32_t mask = arguments(spec.params, spec.name, command.arguments);
+	const int effect = -int(command.arguments.count);
+	_uses.push_back({ _current_rule, uint32_t(operation), place(command.offset) });
+	if (spec.block == BlockKind::None) {
+		if (command.block != no_node) {
+			complain("unexpected-block", _scope.ast->blocks[command.block].offset, "`" + std::string(spec.name) + "` takes no { }");
+		}
+		emit(OpCode::CallOperation, command.offset, effect, mask, uint32_t(operation), command.arguments.count);
+		return;
+	}
+	if (command.block == no_node) {
+		complain("missing-block", command.offset, "`" + std::string(spec.name) + "` needs { } behind it");
+		return;
+	}
+	const uint32_t first = block(command.block, spec.block);
+	const uint32_t second = command.second_block == no_node ? 0 : block(command.second_block, spec.block) + 1;
+	emit(OpCode::CallBlock, command.offset, effect, first, uint32_t(operation), command.arguments.count);
+	emit(OpCode::Data, command.offset, 0, mask);
+	emit(OpCode::Data, command.offset, 0, second);
+}
+
+void Compiler::unknown_command(const Command &command) {
+	if (_set.has_rule(_scope.space, command.name) || _dialect.has_operation(command.name)) {
+		wrong_count(command.name, command.arguments.count, command.offset);
+		return;
+	}
+	if (_dialect.has_function(command.name) || _set.has_value(_scope.space, command.name)) {
+		const bool is_function = _dialect.has_function(command.name) || command.has_arguments;
+		complain("not-a-command", command.offset,
+				"`" + std::string(command.name) + "` is a " + (is_function ? "function" : "value") + ", not a rule or an operation",
+				"use it inside of an expression");
+		return;
+	}
+	if (is_strict()) {
+		error("unknown-name", command.offset, "unknown rule or operation `" + std::string(command.name) + "`",
+				did_you_mean(command.name, true));
+		return;
+	}
+	if (command.block != no_node) {
+		warn("unknown-name", command.offset, "unknown operation `" + std::string(command.name) + "`; it is left out",
+				did_you_mean(command.name, true));
+		return;
+	}
+	leaf_call(command);
+}
+
+// A name without a rule is a shape that stays as it is.
+void Compiler::leaf_call(const Command &command) {
+	const std::string key = std::string(command.name) + "/" + std::to_string(command.arguments.count);
+	const auto [found, is_new] = _leaves.emplace(key, uint32_t(_program->rules.size()));
+	if (is_new) {
+		RuleInfo info;
+		info.name = std::string(command.name);
+		info.params.resize(command.arguments.count);
+		info.place = place(command.offset);
+		info.is_leaf_symbol = true;
+		_program->rules.push_back(std::move(info));
+		Callable callable;
+		callable.param_count = command.arguments.count;
+		_program->callables.push_back(callable);
+		if (!command.name.ends_with('.')) {
+			std::string hint = did_you_mean(command.name, true);
+			hint += (hint.empty() ? "" : " ") + std::string("If the shape is meant to end here, write a dot behind the name.");
+			warn("unknown-name", command.offset, "no rule or operation is called `" + std::string(command.name) + "`; the shape ends here", hint);
+		}
+	}
+	rule_arguments(command.arguments);
+	emit(OpCode::CallHostRule, command.offset, -int(command.arguments.count), found->second, 0, command.arguments.count);
+}
+
+// --- Blocks
+
+uint32_t Compiler::block(uint32_t id, BlockKind kind) {
+	const AstBlock &source = _scope.ast->blocks[id];
+	const auto list = _scope.ast->list(source.entries);
+	const uint32_t index = uint32_t(_program->blocks.size());
+	const uint32_t first = uint32_t(_program->entries.size());
+	_program->blocks.push_back({ first, uint32_t(list.size()), source.is_repeated });
+	_program->entries.resize(first + list.size());
+	for (size_t i = 0; i < list.size(); ++i) {
+		const BlockEntry entry = block_entry(_scope.ast->entries[list[i]], kind);
+		_program->entries[first + i] = entry; // after the nested blocks have had theirs
+	}
+	return index;
+}
+
+BlockEntry Compiler::block_entry(const AstEntry &source, BlockKind kind) {
+	BlockEntry entry;
+	entry.place = place(source.offset);
+	if (source.kind != AstEntry::Kind::Body) {
+		entry.kind = source.kind == AstEntry::Kind::Repeat ? BlockEntry::Kind::Repeat : BlockEntry::Kind::Group;
+		if (kind != BlockKind::Sizes) {
+			complain("nested-block", source.offset, "blocks inside of blocks have a meaning in splits only");
+		}
+		entry.block = block(source.block, kind);
+		return entry;
+	}
+	entry.separator = source.separator == TokenKind::Assign	   ? BlockEntry::Separator::All
+			: source.separator == TokenKind::ConnectedAssign ? BlockEntry::Separator::Connected
+															 : BlockEntry::Separator::Each;
+	const bool has_head = source.head != no_node;
+	if (has_head && kind == BlockKind::Bodies) {
+		complain("unexpected-head", source.offset, "nothing is selected here: this block holds commands only");
+	} else if (!has_head && (kind == BlockKind::Predicates || kind == BlockKind::Selectors)) {
+		complain("missing-head", source.offset,
+				kind == BlockKind::Predicates ? "a condition and `:` belong in front of the commands"
+											  : "a selector and `:` belong in front of the commands",
+				kind == BlockKind::Predicates ? "for everybody: { true: .. }" : "for all: { all: .. }");
+	}
+	if (source.depth != no_node) {
+		not_supported(source.offset, "sizes with a depth");
+	}
+	if (has_head && kind != BlockKind::Bodies) {
+		const Expr &head = _scope.ast->exprs[source.head];
+		const bool is_word = kind == BlockKind::Selectors && head.kind == ExprKind::Name;
+		entry.word = is_word ? symbol(head.name) : no_symbol;
+		const bool is_defined = is_word && (_set.has_value(_scope.space, head.name) ||
+												   std::find(_scope.locals.begin(), _scope.locals.end(), head.name) != _scope.locals.end());
+		if (!is_word || is_defined) {
+			entry.head = value_chunk(source.head, kind == BlockKind::Sizes);
+		}
+	}
+	entry.body = body_chunk(source.body, source.offset);
+	return entry;
+}
+
+} // namespace pcg

@@ -1,0 +1,273 @@
+#include <algorithm>
+
+#include "core/lang/compiler.h"
+#include "core/lang/vm.h"
+
+// Calls of functions, and the arguments of everything built in.
+namespace pcg {
+
+// --- Overloads
+
+bool Compiler::words_fit(const std::vector<ParamSpec> &params, NodeRange list) const {
+	const auto arguments = _scope.ast->list(list);
+	for (size_t i = 0; i < arguments.size(); ++i) {
+		const ParamSpec &param = params[std::min(i, params.size() - 1)];
+		const Expr &expr = _scope.ast->exprs[arguments[i]];
+		const bool is_word = expr.kind == ExprKind::Name && (" " + std::string(param.words) + " ").find(" " + std::string(expr.name) + " ") !=
+				std::string::npos;
+		if (param.kind == ParamKind::Word && !is_word) {
+			return false;
+		}
+	}
+	return true;
+}
+
+// Among the specs that take so many arguments, the first whose words fit; else the first. -1: none takes so many.
+template <typename Spec> int Compiler::choose(const std::vector<Spec> &specs, std::string_view name, NodeRange list) const {
+	int first = -1;
+	for (size_t i = 0; i < specs.size(); ++i) {
+		if (specs[i].name != name) {
+			continue;
+		}
+		size_t required = 0;
+		bool is_open = false;
+		for (const ParamSpec &param : specs[i].params) {
+			required += param.is_optional || param.is_repeated ? 0 : 1;
+			is_open |= param.is_repeated;
+		}
+		if (list.count < required || (list.count > specs[i].params.size() && !is_open)) {
+			continue;
+		}
+		if (words_fit(specs[i].params, list)) {
+			return int(i);
+		}
+		first = first < 0 ? int(i) : first;
+	}
+	return first;
+}
+
+int Compiler::choose_function(std::string_view name, NodeRange list) const { return choose(_dialect.functions, name, list); }
+int Compiler::choose_operation(std::string_view name, NodeRange list) const { return choose(_dialect.operations, name, list); }
+
+namespace {
+
+std::string signature(std::string_view name, const std::vector<ParamSpec> &params) {
+	std::string text = std::string(name) + "(";
+	for (size_t i = 0; i < params.size(); ++i) {
+		const bool is_optional = params[i].is_optional || params[i].is_repeated;
+		text += (is_optional ? " [" : "") + std::string(i > 0 ? ", " : "") + std::string(params[i].name) +
+				(params[i].is_repeated ? ".." : "") + (is_optional ? "]" : "");
+	}
+	return text + ")";
+}
+
+} // namespace
+
+void Compiler::wrong_count(std::string_view name, size_t count, uint32_t offset) {
+	std::string forms;
+	for (const FunctionSpec &spec : _dialect.functions) {
+		if (spec.name == name) {
+			forms += (forms.empty() ? "" : ", or ") + signature(name, spec.params);
+		}
+	}
+	for (const OperationSpec &spec : _dialect.operations) {
+		if (spec.name == name) {
+			forms += (forms.empty() ? "" : ", or ") + signature(name, spec.params);
+		}
+	}
+	for (const Definition &definition : _definitions) {
+		if (definition.name == name) {
+			forms += (forms.empty() ? "" : ", or ") + std::string(name) + "(";
+			for (const AstParam &param : definition.item->params) {
+				forms += (&param == definition.item->params.data() ? "" : ", ") + std::string(param.name);
+			}
+			forms += ")";
+		}
+	}
+	complain("wrong-argument-count", offset,
+			"`" + std::string(name) + "` does not take " + std::to_string(count) + (count == 1 ? " argument" : " arguments"),
+			forms.empty() ? std::string() : "it is " + forms);
+}
+
+// --- Arguments
+
+uint32_t Compiler::arguments(const std::vector<ParamSpec> &params, std::string_view name, NodeRange list) {
+	uint32_t mask = 0;
+	const auto values = _scope.ast->list(list);
+	for (size_t i = 0; i < values.size(); ++i) {
+		const ParamSpec &param = params[std::min(i, params.size() - 1)];
+		mask |= argument(param, name, i, values[i]) ? 1u << std::min<size_t>(i, 31) : 0;
+	}
+	return mask;
+}
+
+bool Compiler::argument(const ParamSpec &param, std::string_view name, size_t position, uint32_t id) {
+	const Expr &expr = _scope.ast->exprs[id];
+	Known known = ValueType::Void;
+	ValueType wanted = ValueType::Void;
+	switch (param.kind) {
+		case ParamKind::Any:
+			size_expression(id);
+			return false;
+		case ParamKind::Size:
+			known = size_expression(id);
+			wanted = ValueType::Number;
+			break;
+		case ParamKind::Number:
+		case ParamKind::Bool:
+		case ParamKind::Text:
+			known = expression(id);
+			wanted = param.kind == ParamKind::Number ? ValueType::Number
+					: param.kind == ParamKind::Bool	 ? ValueType::Bool
+													 : ValueType::Text;
+			break;
+		case ParamKind::Word:
+			if (!word_argument(param, name, expr)) {
+				complain("unknown-word", expr.offset, "argument " + std::to_string(position + 1) + " of `" + std::string(name) + "` is one of: " +
+								std::string(param.words));
+				emit_constant(Value::of_index(ValueType::Word, 0), expr.offset);
+			}
+			return false;
+		case ParamKind::WordOrNumber:
+			return !word_argument(param, name, expr) && size_expression(id) != ValueType::Number;
+		case ParamKind::Predicate:
+			emit_constant(Value::of_index(ValueType::Chunk, uint32_t(value_chunk(id, false))), expr.offset);
+			return false;
+		case ParamKind::Rule:
+			rule_argument(expr);
+			return false;
+		case ParamKind::Target:
+			target_argument(expr);
+			return false;
+	}
+	if (known != ValueType::Void && known != wanted) {
+		complain("type-mismatch", expr.offset, "argument " + std::to_string(position + 1) + " of `" + std::string(name) + "` (" +
+						std::string(param.name) + ") must be " + std::string(type_name(wanted)) + ", this is " + std::string(type_name(known)));
+	}
+	return known != wanted;
+}
+
+bool Compiler::word_argument(const ParamSpec &param, std::string_view, const Expr &expr) {
+	if (expr.kind != ExprKind::Name) {
+		return false;
+	}
+	uint32_t position = 0;
+	for (size_t start = 0; start < param.words.size(); ++position) {
+		const size_t end = std::min(param.words.find(' ', start), param.words.size());
+		if (param.words.substr(start, end - start) == expr.name) {
+			emit_constant(Value::of_index(ValueType::Word, position), expr.offset);
+			return true;
+		}
+		start = end + 1;
+	}
+	return false;
+}
+
+void Compiler::rule_argument(const Expr &expr) {
+	uint32_t rule = 0;
+	const uint32_t found = expr.kind == ExprKind::Name ? _set.find_rule(_scope.space, expr.name, 0) : no_node;
+	if (expr.kind != ExprKind::Name) {
+		complain("not-a-rule", expr.offset, "the name of a rule belongs here");
+	} else if (found == no_node && _set.has_rule(_scope.space, expr.name)) {
+		complain("wrong-argument-count", expr.offset, "`" + std::string(expr.name) + "` has parameters; a rule that runs later has none");
+	} else if (found == no_node) {
+		complain("unknown-name", expr.offset, "unknown rule `" + std::string(expr.name) + "`", did_you_mean(expr.name, true));
+	} else {
+		rule = _definitions[found].index;
+		_edges.push_back({ _current_rule, rule, true });
+	}
+	emit_constant(Value::of_index(ValueType::Rule, rule), expr.offset);
+}
+
+void Compiler::target_argument(const Expr &expr) {
+	if (expr.kind == ExprKind::Name) {
+		const uint32_t found = _set.find_value(_scope.space, expr.name, 0);
+		if (found != no_node && _definitions[found].kind == Definition::Kind::Attribute) {
+			emit_constant(Value::of_index(ValueType::Attribute, _definitions[found].index), expr.offset);
+			return;
+		}
+		const int variable = _dialect.find_variable(expr.name);
+		if (variable >= 0 && _dialect.variables[size_t(variable)].is_writable) {
+			emit_constant(Value::of_index(ValueType::Variable, uint32_t(variable)), expr.offset);
+			return;
+		}
+		complain("unknown-name", expr.offset,
+				variable >= 0 ? "`" + std::string(expr.name) + "` can only be read"
+							  : "there is no attribute `" + std::string(expr.name) + "` to set",
+				did_you_mean(expr.name, false));
+	} else {
+		complain("not-a-name", expr.offset, "the name of an attribute belongs here");
+	}
+	emit_constant(Value(), expr.offset);
+}
+
+// --- Functions
+
+Compiler::Known Compiler::call(const Expr &expr) {
+	const uint32_t found = _set.find_value(_scope.space, expr.name, expr.children.count);
+	if (found != no_node && _definitions[found].kind == Definition::Kind::Function) {
+		for (uint32_t argument_id : _scope.ast->list(expr.children)) {
+			expression(argument_id);
+		}
+		emit(OpCode::CallUser, expr.offset, 1 - int(expr.children.count), _definitions[found].index, 0, expr.children.count);
+		return ValueType::Void;
+	}
+	const int function = choose_function(expr.name, expr.children);
+	if (function >= 0) {
+		return call_builtin(uint32_t(function), expr.name, expr.children, expr.offset);
+	}
+	if (_set.has_value(_scope.space, expr.name) || _dialect.has_function(expr.name)) {
+		wrong_count(expr.name, expr.children.count, expr.offset);
+	} else if (_dialect.has_operation(expr.name)) {
+		complain("not-a-value", expr.offset, "`" + std::string(expr.name) + "` is an operation: it has no value");
+	} else {
+		complain("unknown-name", expr.offset, "unknown function `" + std::string(expr.name) + "`", did_you_mean(expr.name, false));
+	}
+	return unknown_value(expr.offset);
+}
+
+Compiler::Known Compiler::call_builtin(uint32_t function, std::string_view name, NodeRange list, uint32_t offset) {
+	const FunctionSpec &spec = _dialect.functions[function];
+	const uint32_t begin = here(), depth = _builders.back().depth;
+	const uint32_t mask = arguments(spec.params, name, list);
+	if (!spec.is_pure || !fold_call(spec, begin, depth, list.count, offset)) {
+		emit(OpCode::CallFunction, offset, 1 - int(list.count), mask, function, list.count);
+	}
+	return spec.is_pure ? spec.result : ValueType::Void;
+}
+
+namespace {
+
+// A pure function looks at its arguments only; this is the interpreter that it is given anyway.
+class NoHost : public VmHost {
+public:
+	void report(Diagnostic) override {}
+};
+
+} // namespace
+
+bool Compiler::fold_call(const FunctionSpec &spec, uint32_t begin, uint32_t depth, size_t count, uint32_t offset) {
+	const std::vector<Instruction> &code = _builders.back().code;
+	if (code.size() != begin + count) {
+		return false;
+	}
+	std::vector<Value> values;
+	for (size_t i = begin; i < code.size(); ++i) {
+		if (code[i].code != OpCode::PushConstant || !_program->constants[code[i].operand].is_number()) {
+			return false;
+		}
+		values.push_back(_program->constants[code[i].operand]);
+	}
+	const Program empty;
+	NoHost host;
+	Vm vm(empty, host, { 1, 1, 1, 16 });
+	const Value result = spec.handler(vm, { values, nullptr, nullptr, spec.user });
+	if (vm.has_failed() || (!result.is_number() && !result.is_bool())) {
+		return false;
+	}
+	drop_code(begin, depth);
+	emit_constant(result, offset);
+	return true;
+}
+
+} // namespace pcg

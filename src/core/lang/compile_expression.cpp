@@ -1,0 +1,405 @@
+#include <cmath>
+
+#include "core/lang/compiler.h"
+
+// Expressions to code that leaves one value on the stack.
+namespace pcg {
+
+namespace {
+
+OpCode binary_opcode(TokenKind op) {
+	switch (op) {
+		case TokenKind::Plus:
+			return OpCode::Add;
+		case TokenKind::Minus:
+			return OpCode::Subtract;
+		case TokenKind::Star:
+			return OpCode::Multiply;
+		case TokenKind::Slash:
+			return OpCode::Divide;
+		case TokenKind::Percent:
+			return OpCode::Modulo;
+		case TokenKind::Equal:
+			return OpCode::Equal;
+		case TokenKind::NotEqual:
+			return OpCode::NotEqual;
+		case TokenKind::Less:
+			return OpCode::Less;
+		case TokenKind::LessEqual:
+			return OpCode::LessEqual;
+		case TokenKind::Greater:
+			return OpCode::Greater;
+		default:
+			return OpCode::GreaterEqual;
+	}
+}
+
+// What an operator yields if it does not fail.
+ValueType binary_result(TokenKind op, ValueType a, ValueType b) {
+	switch (op) {
+		case TokenKind::Plus:
+			if (a == ValueType::Text || b == ValueType::Text) {
+				return ValueType::Text;
+			}
+			return a == ValueType::Number && b == ValueType::Number ? ValueType::Number : ValueType::Void;
+		case TokenKind::Minus:
+		case TokenKind::Star:
+		case TokenKind::Slash:
+		case TokenKind::Percent:
+			return ValueType::Number;
+		default:
+			return ValueType::Bool;
+	}
+}
+
+bool compute(TokenKind op, double a, double b, Value &result) {
+	switch (op) {
+		case TokenKind::Plus:
+			result = Value::of(a + b);
+			return true;
+		case TokenKind::Minus:
+			result = Value::of(a - b);
+			return true;
+		case TokenKind::Star:
+			result = Value::of(a * b);
+			return true;
+		case TokenKind::Slash:
+			result = Value::of(a / b);
+			return b != 0.0;
+		case TokenKind::Percent:
+			result = Value::of(std::fmod(a, b));
+			return b != 0.0;
+		case TokenKind::Less:
+			result = Value::of(a < b);
+			return true;
+		case TokenKind::LessEqual:
+			result = Value::of(a <= b);
+			return true;
+		case TokenKind::Greater:
+			result = Value::of(a > b);
+			return true;
+		case TokenKind::GreaterEqual:
+			result = Value::of(a >= b);
+			return true;
+		case TokenKind::Equal:
+			result = Value::of(a == b);
+			return true;
+		case TokenKind::NotEqual:
+			result = Value::of(a != b);
+			return true;
+		default:
+			return false;
+	}
+}
+
+} // namespace
+
+Compiler::Known Compiler::unknown_value(uint32_t offset) {
+	emit_constant(Value::of(0.0), offset);
+	return ValueType::Void;
+}
+
+Compiler::Known Compiler::expression(uint32_t id) {
+	const Expr &expr = _scope.ast->exprs[id];
+	switch (expr.kind) {
+		case ExprKind::Error:
+			return unknown_value(expr.offset);
+		case ExprKind::Number:
+			emit_constant(Value::of(expr.number), expr.offset);
+			return ValueType::Number;
+		case ExprKind::Text:
+			emit_constant(Value::of(&_program->texts[symbol(expr.name)]), expr.offset);
+			return ValueType::Text;
+		case ExprKind::Name:
+			return name(expr);
+		case ExprKind::Call:
+			return call(expr);
+		case ExprKind::Unary:
+			return unary(expr);
+		case ExprKind::Binary:
+			return expr.op == TokenKind::And || expr.op == TokenKind::Or ? logical(expr) : binary(expr);
+		case ExprKind::Case:
+			return case_expression(expr);
+		case ExprKind::Chance:
+			return chance_expression(expr);
+		case ExprKind::Size:
+			complain("size-not-allowed", expr.offset, "`'` and `~` mean something in front of sizes only", "leave it out");
+			return expression(_scope.ast->list(expr.children)[0]);
+		case ExprKind::Array:
+			return array(expr);
+		case ExprKind::Index:
+			return index(expr);
+		case ExprKind::Element:
+			not_supported(expr.offset, "ranges a:b");
+			return unknown_value(expr.offset);
+		case ExprKind::Components:
+			not_supported(expr.offset, "comp() as a function");
+			return unknown_value(expr.offset);
+		case ExprKind::ImportCall:
+			not_supported(expr.offset, "calls of an import with attributes of their own");
+			return unknown_value(expr.offset);
+	}
+	return unknown_value(expr.offset);
+}
+
+Compiler::Known Compiler::size_expression(uint32_t id) {
+	const Expr &expr = _scope.ast->exprs[id];
+	if (expr.kind != ExprKind::Size) {
+		return expression(id);
+	}
+	const uint32_t begin = here(), depth = _builders.back().depth;
+	const Known known = expression(_scope.ast->list(expr.children)[0]);
+	Value value;
+	if (ends_in_constant(begin, value) && value.is_number()) {
+		drop_code(begin, depth);
+		value.size_kind = expr.size_kind;
+		emit_constant(value, expr.offset);
+	} else {
+		emit(OpCode::TagSize, expr.offset, 0, 0, uint32_t(expr.size_kind));
+	}
+	return known;
+}
+
+Chunk Compiler::value_chunk(uint32_t expr, bool is_size) {
+	begin_chunk();
+	is_size ? size_expression(expr) : expression(expr);
+	return end_chunk(OpCode::Return, _scope.ast->exprs[expr].offset);
+}
+
+// --- Operators
+
+bool Compiler::fold_binary(TokenKind op, uint32_t begin, uint32_t depth, uint32_t offset) {
+	const std::vector<Instruction> &code = _builders.back().code;
+	if (code.size() != begin + 2 || code[begin].code != OpCode::PushConstant || code[begin + 1].code != OpCode::PushConstant) {
+		return false;
+	}
+	const Value a = _program->constants[code[begin].operand], b = _program->constants[code[begin + 1].operand];
+	Value result;
+	if (!a.is_number() || !b.is_number() || !compute(op, a.number, b.number, result)) {
+		return false;
+	}
+	drop_code(begin, depth);
+	emit_constant(result, offset);
+	return true;
+}
+
+Compiler::Known Compiler::binary(const Expr &expr) {
+	const auto operands = _scope.ast->list(expr.children);
+	const uint32_t begin = here(), depth = _builders.back().depth;
+	if (expr.is_elementwise) {
+		not_supported(expr.offset, "operators that work element by element");
+		return unknown_value(expr.offset);
+	}
+	const Known a = expression(operands[0]);
+	const Known b = expression(operands[1]);
+	if (!fold_binary(expr.op, begin, depth, expr.offset)) {
+		emit(binary_opcode(expr.op), expr.offset, -1);
+	}
+	return binary_result(expr.op, a, b);
+}
+
+Compiler::Known Compiler::logical(const Expr &expr) {
+	const auto operands = _scope.ast->list(expr.children);
+	if (expr.is_elementwise) {
+		not_supported(expr.offset, "operators that work element by element");
+		return unknown_value(expr.offset);
+	}
+	expression(operands[0]);
+	const uint32_t jump = emit_jump(expr.op == TokenKind::And ? OpCode::AndJump : OpCode::OrJump, expr.offset, -1);
+	if (expression(operands[1]) != ValueType::Bool) {
+		emit(OpCode::CheckBool, _scope.ast->exprs[operands[1]].offset, 0);
+	}
+	land(jump);
+	return ValueType::Bool;
+}
+
+bool Compiler::fold_unary(TokenKind op, uint32_t begin, uint32_t depth, uint32_t offset) {
+	Value value;
+	if (!ends_in_constant(begin, value) || value.type != (op == TokenKind::Not ? ValueType::Bool : ValueType::Number)) {
+		return false;
+	}
+	drop_code(begin, depth);
+	emit_constant(op == TokenKind::Not ? Value::of(!value.boolean) : Value::of(-value.number), offset);
+	return true;
+}
+
+Compiler::Known Compiler::unary(const Expr &expr) {
+	const uint32_t begin = here(), depth = _builders.back().depth;
+	const Known known = expression(_scope.ast->list(expr.children)[0]);
+	if (expr.op == TokenKind::Plus) {
+		return known;
+	}
+	if (!fold_unary(expr.op, begin, depth, expr.offset)) {
+		emit(expr.op == TokenKind::Not ? OpCode::Not : OpCode::Negate, expr.offset, 0);
+	}
+	return expr.op == TokenKind::Not ? ValueType::Bool : ValueType::Number;
+}
+
+// --- Chains
+
+Compiler::Known Compiler::case_expression(const Expr &expr) {
+	const auto parts = _scope.ast->list(expr.children);
+	std::vector<uint32_t> ends;
+	Known known = ValueType::Void;
+	for (size_t i = 0; i + 1 < parts.size(); i += 2) {
+		expression(parts[i]);
+		const uint32_t next = emit_jump(OpCode::JumpIfFalse, _scope.ast->exprs[parts[i]].offset, -1);
+		const Known value = expression(parts[i + 1]);
+		known = i == 0 || known == value ? value : ValueType::Void;
+		ends.push_back(emit_jump(OpCode::Jump, expr.offset, -1));
+		land(next);
+	}
+	const Known last = expression(parts.back());
+	for (uint32_t end : ends) {
+		land(end);
+	}
+	return known == last ? known : ValueType::Void;
+}
+
+void Compiler::warn_shares(std::span<const uint32_t> shares) {
+	double sum = 0.0;
+	for (uint32_t share : shares) {
+		const Expr &expr = _scope.ast->exprs[share];
+		if (expr.kind != ExprKind::Number) {
+			return;
+		}
+		sum += expr.number;
+	}
+	if (sum > 100.0 + 1e-9) {
+		warn("shares-above-100", _scope.ast->exprs[shares[0]].offset,
+				"the shares of this choice add up to " + value_text(Value::of(sum)) + " %; what lies above 100 is never chosen");
+	}
+}
+
+Compiler::Known Compiler::chance_expression(const Expr &expr) {
+	const auto parts = _scope.ast->list(expr.children);
+	std::vector<uint32_t> ends, shares;
+	Known known = ValueType::Void;
+	emit(OpCode::Draw, expr.offset, 1);
+	for (size_t i = 0; i + 1 < parts.size(); i += 2) {
+		shares.push_back(parts[i]);
+		expression(parts[i]);
+		const uint32_t next = emit_jump(OpCode::ChanceJump, _scope.ast->exprs[parts[i]].offset, -2);
+		const Known value = expression(parts[i + 1]);
+		known = i == 0 || known == value ? value : ValueType::Void;
+		ends.push_back(emit_jump(OpCode::Jump, expr.offset, 0)); // where the share was not drawn, the number still lies there
+		land(next);
+	}
+	emit(OpCode::Pop, expr.offset, -1);
+	const Known last = expression(parts.back());
+	for (uint32_t end : ends) {
+		land(end);
+	}
+	warn_shares(shares);
+	return known == last ? known : ValueType::Void;
+}
+
+// --- Arrays
+
+Compiler::Known Compiler::array_elements(const Expr &row, uint32_t &count) {
+	for (uint32_t element : _scope.ast->list(row.children)) {
+		expression(element);
+		++count;
+	}
+	return ValueType::Array;
+}
+
+Compiler::Known Compiler::array(const Expr &expr) {
+	const auto rows = _scope.ast->list(expr.children);
+	uint32_t count = 0;
+	const uint32_t columns = rows.empty() ? 0 : _scope.ast->exprs[rows[0]].children.count;
+	for (uint32_t row : rows) {
+		if (_scope.ast->exprs[row].children.count != columns) {
+			complain("array-shape", _scope.ast->exprs[row].offset, "the rows of an array have equal lengths");
+		}
+		array_elements(_scope.ast->exprs[row], count);
+	}
+	emit(OpCode::MakeArray, expr.offset, 1 - int(count), count, columns <= 0xFFFF ? columns : 0);
+	return ValueType::Array;
+}
+
+Compiler::Known Compiler::index(const Expr &expr) {
+	const auto parts = _scope.ast->list(expr.children);
+	for (uint32_t part : parts) {
+		expression(part);
+	}
+	if (parts.size() > 3) {
+		complain("array-shape", expr.offset, "an array has rows and columns: at most two indices");
+	}
+	emit(OpCode::Index, expr.offset, 1 - int(parts.size()), 0, 0, std::min<size_t>(parts.size() - 1, 2));
+	return ValueType::Void;
+}
+
+// --- Names
+
+// A parameter, a `with` value, or with dynamic locals whatever may have been set by a caller.
+bool Compiler::local_name(const Expr &expr) {
+	for (size_t i = _scope.locals.size(); i-- > 0;) {
+		if (_scope.locals[i] == expr.name) {
+			if (is_dynamic()) {
+				emit(OpCode::LoadSlot, expr.offset, 1, slot(expr.name));
+			} else {
+				emit(OpCode::LoadLocal, expr.offset, 1, uint32_t(i));
+			}
+			return true;
+		}
+	}
+	const auto known = _slots.find(expr.name);
+	if (!is_dynamic() || _scope.is_attribute || known == _slots.end()) {
+		return false;
+	}
+	// Where it is not set at that moment, the name may still be an attribute or a variable.
+	const uint32_t other = emit_jump(OpCode::JumpIfUnset, expr.offset, 0, known->second);
+	emit(OpCode::LoadSlot, expr.offset, 1, known->second);
+	const uint32_t end = emit_jump(OpCode::Jump, expr.offset, -1);
+	land(other);
+	const uint32_t begin = here(), depth = _builders.back().depth;
+	if (global_name(expr, false) == ValueType::Void && here() == begin) {
+		drop_code(other, depth);
+		emit(OpCode::LoadSlot, expr.offset, 1, known->second);
+		return true;
+	}
+	land(end);
+	return true;
+}
+
+Compiler::Known Compiler::name(const Expr &expr) {
+	if (expr.name == "true" || expr.name == "false") {
+		emit_constant(Value::of(expr.name == "true"), expr.offset);
+		return ValueType::Bool;
+	}
+	return local_name(expr) ? ValueType::Void : global_name(expr, true);
+}
+
+// Emits nothing if there is no such name and it is not required.
+Compiler::Known Compiler::global_name(const Expr &expr, bool is_required) {
+	const uint32_t found = _set.find_value(_scope.space, expr.name, 0);
+	if (found != no_node) {
+		const Definition &definition = _definitions[found];
+		const bool is_attribute = definition.kind == Definition::Kind::Attribute;
+		emit(is_attribute ? OpCode::LoadAttribute : OpCode::CallUser, expr.offset, 1, definition.index);
+		return ValueType::Void;
+	}
+	const int variable = _dialect.find_variable(expr.name);
+	if (variable >= 0) {
+		emit(OpCode::LoadVariable, expr.offset, 1, uint32_t(variable));
+		return ValueType::Void;
+	}
+	const int function = _dialect.find_function(expr.name, 0);
+	if (function >= 0) {
+		return call_builtin(uint32_t(function), expr.name, {}, expr.offset);
+	}
+	if (!is_required) {
+		return ValueType::Void;
+	}
+	if (_set.has_value(_scope.space, expr.name) || _dialect.has_function(expr.name)) {
+		complain("wrong-argument-count", expr.offset, "`" + std::string(expr.name) + "` is a function and needs arguments");
+	} else if (_set.has_rule(_scope.space, expr.name)) {
+		complain("not-a-value", expr.offset, "`" + std::string(expr.name) + "` is a rule: it has no value");
+	} else {
+		complain("unknown-name", expr.offset, "unknown name `" + std::string(expr.name) + "`", did_you_mean(expr.name, false));
+	}
+	return unknown_value(expr.offset);
+}
+
+} // namespace pcg

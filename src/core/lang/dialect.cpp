@@ -1,0 +1,66 @@
+#include "core/lang/dialect.h"
+
+namespace pcg {
+
+namespace {
+
+bool takes(const std::vector<ParamSpec> &params, size_t argument_count) {
+	size_t required = 0;
+	bool is_open = false;
+	for (const ParamSpec &param : params) {
+		required += param.is_optional || param.is_repeated ? 0 : 1;
+		is_open |= param.is_repeated;
+	}
+	return argument_count >= required && (is_open || argument_count <= params.size());
+}
+
+template <typename Spec> int find_spec(const std::vector<Spec> &specs, std::string_view name, size_t argument_count) {
+	for (size_t i = 0; i < specs.size(); ++i) {
+		if (specs[i].name == name && takes(specs[i].params, argument_count)) {
+			return int(i);
+		}
+	}
+	return -1;
+}
+
+template <typename Spec> bool has_spec(const std::vector<Spec> &specs, std::string_view name) {
+	for (const Spec &spec : specs) {
+		if (spec.name == name) {
+			return true;
+		}
+	}
+	return false;
+}
+
+} // namespace
+
+int Dialect::find_function(std::string_view function_name, size_t argument_count) const {
+	return find_spec(functions, function_name, argument_count);
+}
+
+int Dialect::find_operation(std::string_view operation_name, size_t argument_count) const {
+	return find_spec(operations, operation_name, argument_count);
+}
+
+int Dialect::find_variable(std::string_view variable_name) const {
+	for (size_t i = 0; i < variables.size(); ++i) {
+		if (variables[i].name == variable_name) {
+			return int(i);
+		}
+	}
+	return -1;
+}
+
+bool Dialect::has_function(std::string_view function_name) const { return has_spec(functions, function_name); }
+bool Dialect::has_operation(std::string_view operation_name) const { return has_spec(operations, operation_name); }
+
+BlockKind Dialect::block_kind(std::string_view operation_name) const {
+	for (const OperationSpec &spec : operations) {
+		if (spec.name == operation_name && spec.block != BlockKind::None) {
+			return spec.block;
+		}
+	}
+	return BlockKind::None;
+}
+
+} // namespace pcg

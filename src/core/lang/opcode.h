@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+
+// Instructions of the interpreter; private to core/lang. Jumps are relative to the next instruction.
+namespace pcg {
+
+enum class OpCode : uint8_t {
+	PushConstant, // operand: constant
+	LoadLocal, // operand: index from the frame's base
+	LoadSlot, // operand: slot; an unset one is an error
+	JumpIfUnset, // extra: slot, operand: jump
+	LoadAttribute, // operand: attribute
+	LoadVariable, // operand: variable of the dialect
+	Add, // these with extra 1: element by element
+	Subtract,
+	Multiply,
+	Divide,
+	Modulo,
+	Equal,
+	NotEqual,
+	Less,
+	LessEqual,
+	Greater,
+	GreaterEqual,
+	Negate,
+	Not,
+	Jump, // operand: jump
+	JumpIfFalse, // pops
+	AndJump, // keeps a false value and jumps, else pops
+	OrJump, // keeps a true value and jumps, else pops
+	CheckBool, // the right side of && and ||
+	Draw, // pushes a number in [0, 100)
+	ChanceJump, // pops a share, takes it from the drawn number below; jumps while something is left of that, else pops it too
+	Pop,
+	TagSize, // extra: SizeKind
+	CallFunction, // extra: function of the dialect, count: arguments, operand: bit k = argument k is checked
+	CallOperation, // the same of operations
+	CallBlock, // as CallOperation; operand: block; two Data follow: mask, second block + 1
+	Data,
+	CallUser, // operand: callable
+	CallRule, // operand: rule
+	CallHostRule, // operand: rule
+	SetSlot, // operand: slot
+	PushGroup,
+	PopGroup,
+	MakeArray, // operand: values, extra: columns
+	Index, // count: 1 or 2 indices
+	Return, // of a chunk with a value, which is on top
+	End, // of a chunk without one
+};
+
+} // namespace pcg

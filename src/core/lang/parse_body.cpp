@@ -1,0 +1,320 @@
+#include <algorithm>
+
+#include "core/lang/parser.h"
+
+// Successors: commands, chains, groups, selector blocks.
+namespace pcg {
+
+uint32_t Parser::add(Command command) {
+	_ast.commands.push_back(command);
+	return uint32_t(_ast.commands.size() - 1);
+}
+
+uint32_t Parser::add_body(const std::vector<uint32_t> &commands) {
+	_ast.bodies.push_back({ add_children(commands) });
+	return uint32_t(_ast.bodies.size() - 1);
+}
+
+// A body in a chain ends where the chain goes on; chains of a body close it.
+bool Parser::ends_body(const Chains &chains, bool has_commands) const {
+	switch (peek().kind) {
+		case TokenKind::End:
+		case TokenKind::CloseBrace:
+		case TokenKind::CloseBracket:
+		case TokenKind::CloseParen:
+		case TokenKind::Bar:
+		case TokenKind::Comma:
+			return true;
+		default:
+			break;
+	}
+	if (is_word("else") || starts_item()) {
+		return true;
+	}
+	if (is_word("case")) {
+		return has_commands && chains.in_case;
+	}
+	return has_commands && chains.in_chance && starts_chance();
+}
+
+// A share such as `30%:` or `(a + b)% :` begins with what cannot begin a command.
+bool Parser::starts_chance() const {
+	switch (peek().kind) {
+		case TokenKind::Number:
+		case TokenKind::OpenParen:
+		case TokenKind::Minus:
+			return true;
+		case TokenKind::Name:
+			break;
+		default:
+			return false;
+	}
+	uint32_t next = _at + 1;
+	if (_tokens[next].kind == TokenKind::OpenParen && _tokens[next].match != 0) {
+		next = _tokens[next].match + 1;
+	}
+	switch (_tokens[next].kind) {
+		case TokenKind::Percent:
+		case TokenKind::Plus:
+		case TokenKind::Minus:
+		case TokenKind::Star:
+		case TokenKind::Slash:
+			return true;
+		default:
+			return false;
+	}
+}
+
+uint32_t Parser::parse_body(Chains chains) {
+	std::vector<uint32_t> commands;
+	Depth depth(*this);
+	if (!depth.is_fine()) {
+		return add_body(commands);
+	}
+	while (!_panic && !ends_body(chains, !commands.empty())) {
+		if (is_word("case")) {
+			commands.push_back(parse_case(chains));
+			break;
+		}
+		if (starts_chance()) {
+			commands.push_back(parse_chance(chains));
+			break;
+		}
+		commands.push_back(parse_command());
+	}
+	return add_body(commands);
+}
+
+uint32_t Parser::parse_branch(uint32_t condition, uint32_t offset, Chains chains) {
+	Branch branch;
+	branch.condition = condition;
+	branch.offset = offset;
+	expect(TokenKind::Colon, condition == no_node ? "after `else`" : "after the condition");
+	branch.body = parse_body(chains);
+	_ast.branches.push_back(branch);
+	return uint32_t(_ast.branches.size() - 1);
+}
+
+uint32_t Parser::parse_case(Chains chains) {
+	Command command;
+	command.kind = CommandKind::Case;
+	command.offset = peek().offset;
+	std::vector<uint32_t> branches;
+	const Chains inner = { true, chains.in_chance };
+	while (is_word("case") && !_panic) {
+		const uint32_t offset = take().offset;
+		const uint32_t condition = parse_expression();
+		branches.push_back(parse_branch(condition, offset, inner));
+	}
+	if (is_word("else") && !_panic) {
+		const uint32_t offset = take().offset;
+		branches.push_back(parse_branch(no_node, offset, chains));
+		if (is_word("case") && !chains.in_case) {
+			error("syntax", peek(), "`case` after `else:` of the same chain", "put the first chain into brackets: [ case .. else: .. ]");
+		}
+	}
+	command.branches = add_children(branches);
+	return add(command);
+}
+
+uint32_t Parser::parse_chance(Chains chains) {
+	Command command;
+	command.kind = CommandKind::Chance;
+	command.offset = peek().offset;
+	std::vector<uint32_t> branches;
+	const Chains inner = { chains.in_case, true };
+	while (starts_chance() && !_panic) {
+		const uint32_t offset = peek().offset;
+		const uint32_t share = parse_binary(0);
+		expect(TokenKind::Percent, "after the share of a random choice");
+		branches.push_back(parse_branch(share, offset, inner));
+	}
+	if (is_word("else") && !_panic) {
+		const uint32_t offset = take().offset;
+		branches.push_back(parse_branch(no_node, offset, chains));
+	}
+	command.branches = add_children(branches);
+	return add(command);
+}
+
+uint32_t Parser::parse_command() {
+	if (is(TokenKind::OpenBracket)) {
+		return parse_group();
+	}
+	if (is(TokenKind::Ellipsis)) {
+		error("ellipsis", peek(), "`...` stands for something left out: it is not a command",
+				"write the commands out, or leave the branch empty");
+		take();
+		_panic = false;
+		Command nothing;
+		nothing.kind = CommandKind::Group;
+		nothing.body = add_body({});
+		return add(nothing);
+	}
+	if (is_word("inline") && (is(TokenKind::OpenParen, 1) || is(TokenKind::OpenBrace, 1) || is(TokenKind::Name, 1))) {
+		return parse_inline();
+	}
+	if (is(TokenKind::Name)) {
+		return parse_call();
+	}
+	unexpected("a command");
+	return add(Command{});
+}
+
+uint32_t Parser::parse_group() {
+	Command command;
+	command.kind = CommandKind::Group;
+	const uint32_t open = _at;
+	command.offset = take().offset;
+	++_brackets;
+	command.body = parse_body({});
+	--_brackets;
+	if (!is(TokenKind::CloseBracket) && !_panic) {
+		unexpected("a command or `]`");
+	}
+	if (_panic && _tokens[open].match != 0) {
+		_at = std::max(_at, _tokens[open].match);
+		_panic = false;
+	}
+	accept(TokenKind::CloseBracket);
+	return add(command);
+}
+
+uint32_t Parser::parse_inline() {
+	Command command;
+	command.kind = CommandKind::Inline;
+	command.offset = take().offset;
+	if (accept(TokenKind::OpenParen)) {
+		command.name = take_name("the kind of inlining");
+		expect(TokenKind::CloseParen, "after it");
+	}
+	if (accept(TokenKind::OpenBrace)) {
+		++_brackets;
+		command.body = parse_body({});
+		--_brackets;
+		expect(TokenKind::CloseBrace, "after the inlined commands");
+	} else {
+		command.body = add_body({ parse_command() });
+	}
+	return add(command);
+}
+
+uint32_t Parser::parse_call() {
+	Command command;
+	command.offset = peek().offset;
+	command.name = text(take());
+	if (is(TokenKind::OpenParen)) {
+		if (is_import_call(_at)) {
+			return parse_import_call_command(command);
+		}
+		const uint32_t after = peek().match + 1;
+		const bool is_share = peek().match != 0 && !peek().touches_previous && _tokens[after].kind == TokenKind::Percent;
+		if (!is_share) {
+			command.has_arguments = true;
+			command.arguments = add_children(parse_arguments());
+		}
+	}
+	if (is(TokenKind::OpenBrace) && !_panic) {
+		command.block = parse_block();
+		if (accept(TokenKind::Star)) {
+			_ast.blocks[command.block].is_repeated = true;
+		}
+		if (is(TokenKind::OpenBrace) && !_panic) {
+			command.second_block = parse_block();
+		}
+	}
+	return add(command);
+}
+
+uint32_t Parser::parse_import_call_command(Command command) {
+	const uint32_t call = parse_import_call(command.name);
+	command.kind = CommandKind::ImportCall;
+	command.name = _ast.exprs[call].name;
+	command.arguments = _ast.exprs[call].children;
+	command.block = _ast.exprs[call].block;
+	return add(command);
+}
+
+uint32_t Parser::parse_block() {
+	AstBlock block;
+	const uint32_t open = _at;
+	block.offset = take().offset;
+	std::vector<uint32_t> entries;
+	Depth depth(*this);
+	++_brackets;
+	if (depth.is_fine() && !is(TokenKind::CloseBrace)) {
+		do {
+			entries.push_back(parse_entry());
+		} while (!_panic && accept(TokenKind::Bar));
+	}
+	--_brackets;
+	if (!is(TokenKind::CloseBrace) && !_panic) {
+		unexpected("`|` or `}`");
+	}
+	if (_panic && _tokens[open].match != 0) {
+		_at = std::max(_at, _tokens[open].match);
+		_panic = false;
+	}
+	accept(TokenKind::CloseBrace);
+	block.entries = add_children(entries);
+	_ast.blocks.push_back(block);
+	return uint32_t(_ast.blocks.size() - 1);
+}
+
+// Whether the entry is `head : body` or a body alone: looks for the separator outside of brackets, before a chain could own it.
+bool Parser::has_head() const {
+	for (uint32_t i = _at; i < _tokens.size();) {
+		const Token &token = _tokens[i];
+		switch (token.kind) {
+			case TokenKind::Colon:
+				return _tokens[i - 1].kind != TokenKind::Percent;
+			case TokenKind::Assign:
+			case TokenKind::ConnectedAssign:
+				return true;
+			case TokenKind::Name:
+				if (is_keyword(text(token))) {
+					return false;
+				}
+				break;
+			case TokenKind::Bar:
+			case TokenKind::CloseBrace:
+			case TokenKind::CloseBracket:
+			case TokenKind::CloseParen:
+			case TokenKind::End:
+				return false;
+			default:
+				break;
+		}
+		i = (token.match > i ? token.match : i) + 1;
+	}
+	return false;
+}
+
+uint32_t Parser::parse_entry() {
+	AstEntry entry;
+	entry.offset = peek().offset;
+	if (is(TokenKind::OpenBrace)) {
+		entry.kind = AstEntry::Kind::Group;
+		entry.block = parse_block();
+		if (accept(TokenKind::Star)) {
+			entry.kind = AstEntry::Kind::Repeat;
+			_ast.blocks[entry.block].is_repeated = true;
+		}
+	} else {
+		if (has_head()) {
+			entry.head = parse_expression();
+			entry.separator = peek().kind;
+			if (!accept(TokenKind::Colon) && !accept(TokenKind::Assign) && !accept(TokenKind::ConnectedAssign)) {
+				unexpected("`:` between what is selected and its commands");
+			} else if (!is_word("case") && has_head()) {
+				entry.depth = parse_expression();
+				expect(TokenKind::Colon, "after the depth");
+			}
+		}
+		entry.body = parse_body({});
+	}
+	_ast.entries.push_back(entry);
+	return uint32_t(_ast.entries.size() - 1);
+}
+
+} // namespace pcg

@@ -1,0 +1,329 @@
+#include "core/lang/rule_set.h"
+
+#include <algorithm>
+
+#include "core/lang/parser.h"
+
+namespace pcg {
+
+namespace {
+
+// Imports of imports of imports, each twice, would be billions.
+constexpr size_t max_modules = 2000;
+
+uint32_t find_overload(const RuleSet &set, const std::vector<uint32_t> *list, size_t param_count) {
+	if (list != nullptr) {
+		for (uint32_t definition : *list) {
+			if (set.definitions[definition].param_count == param_count) {
+				return definition;
+			}
+		}
+	}
+	return no_node;
+}
+
+template <typename Map> const std::vector<uint32_t> *find_list(const Map &map, std::string_view name) {
+	const auto found = map.find(name);
+	return found == map.end() ? nullptr : &found->second;
+}
+
+class Loader {
+public:
+	Loader(const Dialect &dialect, SourceProvider &provider, Diagnostics &diagnostics)
+			: _dialect(dialect), _provider(provider), _diagnostics(diagnostics) {}
+
+	RuleSet run(const std::string &path);
+
+private:
+	uint32_t read(const std::string &path, const ParsedFile *importer, const AstImport *import);
+	void report_missing(const std::string &path, const Diagnostic &why, const ParsedFile *importer, const AstImport *import);
+	bool is_cycle(const std::string &path, const ParsedFile &importer, const AstImport &import);
+	void load_module(uint32_t file, uint32_t space, uint32_t depth);
+	void load_import(uint32_t module, const AstImport &import);
+	void define_items(uint32_t module);
+	void define_overrides(uint32_t module, const AstImport &import, uint32_t space);
+	void inherit_attributes(uint32_t module, const AstImport &import, uint32_t space);
+	void define(Definition definition, uint32_t space, std::string_view name);
+	void report_duplicate(const Definition &definition, const Definition &older, std::string_view name);
+	void report_styles(const ParsedFile &file);
+	bool is_default_style(const Ast &ast, const AstItem &item) const;
+
+	const Dialect &_dialect;
+	SourceProvider &_provider;
+	Diagnostics &_diagnostics;
+	RuleSet _set;
+	std::map<std::string, uint32_t> _files; // by path; no_node: could not be read, was reported
+	std::vector<std::string> _stack; // files that are being loaded, the main file first
+};
+
+void Loader::report_missing(const std::string &path, const Diagnostic &why, const ParsedFile *importer, const AstImport *import) {
+	if (importer == nullptr) {
+		Diagnostic diagnostic = why;
+		diagnostic.file = path;
+		_diagnostics.add(std::move(diagnostic));
+		return;
+	}
+	const bool is_error = _dialect.unknown_names == Dialect::UnknownNames::Error;
+	_diagnostics.add(importer->source->diagnostic(is_error ? Severity::Error : Severity::Warning, "missing-import", import->path_offset,
+			"cannot import `" + path + "`: " + why.message,
+			is_error ? "paths count from the folder of the importing file" : "what it defines is left out"));
+}
+
+// The number of the parsed file, no_node if it cannot be had.
+uint32_t Loader::read(const std::string &path, const ParsedFile *importer, const AstImport *import) {
+	const auto known = _files.find(path);
+	if (known != _files.end()) {
+		return known->second;
+	}
+	Result<std::string> bytes = _provider.read(path);
+	if (!bytes) {
+		report_missing(path, bytes.diagnostic(), importer, import);
+		return _files[path] = no_node;
+	}
+	if (!decode_rule_text(path, *bytes, _diagnostics)) {
+		return _files[path] = no_node;
+	}
+	auto file = std::make_unique<ParsedFile>();
+	file->path = path;
+	file->source = std::make_shared<const Source>(path, std::move(*bytes));
+	file->ast = parse(*file->source, _dialect.has_time_units, _diagnostics);
+	report_styles(*file);
+	_set.files.push_back(std::move(file));
+	return _files[path] = uint32_t(_set.files.size() - 1);
+}
+
+bool Loader::is_default_style(const Ast &ast, const AstItem &item) const {
+	return item.style == no_node || ast.styles[item.style].name == "Default";
+}
+
+void Loader::report_styles(const ParsedFile &file) {
+	for (const AstStyle &style : file.ast.styles) {
+		if (style.name != "Default") {
+			_diagnostics.add(file.source->diagnostic(Severity::Warning, "not-supported", style.offset,
+					"not supported yet: styles; what follows `style " + std::string(style.name) + "` is left out"));
+			return;
+		}
+	}
+}
+
+bool Loader::is_cycle(const std::string &path, const ParsedFile &importer, const AstImport &import) {
+	const auto begin = std::find(_stack.begin(), _stack.end(), path);
+	if (begin == _stack.end()) {
+		return false;
+	}
+	std::string cycle;
+	for (auto i = begin; i != _stack.end(); ++i) {
+		cycle += *i + " -> ";
+	}
+	_diagnostics.add(importer.source->diagnostic(Severity::Error, "import-cycle", import.path_offset,
+			importer.path == path ? "the file imports itself: " + cycle + path : "files import each other: " + cycle + path,
+			"put what both need into a third file"));
+	return true;
+}
+
+void Loader::load_module(uint32_t file, uint32_t space, uint32_t depth) {
+	const uint32_t module = uint32_t(_set.modules.size());
+	_set.modules.push_back({ file, space, depth });
+	_stack.push_back(_set.files[file]->path);
+	define_items(module);
+	for (const AstImport &import : _set.files[file]->ast.imports) {
+		load_import(module, import);
+	}
+	_stack.pop_back();
+	// Rules that this file defines for an import: b.Mass --> ..
+	const Ast &ast = _set.files[file]->ast;
+	for (const AstItem &item : ast.items) {
+		std::string_view name = item.name;
+		if (name.find('.') != std::string_view::npos && is_default_style(ast, item)) {
+			const uint32_t target = _set.enter_space(space, name);
+			if (target == no_node) {
+				_diagnostics.add(_set.files[file]->source->diagnostic(Severity::Error, "unknown-import", item.offset,
+						"`" + std::string(item.name) + "` belongs to an import that does not exist"));
+				continue;
+			}
+			const auto kind = item.kind == AstItem::Kind::Rule ? Definition::Kind::Rule : Definition::Kind::Function;
+			define({ kind, module, &item, nullptr, {}, item.offset, uint32_t(item.params.size()) }, target, name);
+		}
+	}
+}
+
+void Loader::load_import(uint32_t module, const AstImport &import) {
+	const Module importer = _set.modules[module];
+	const ParsedFile &file = *_set.files[importer.file];
+	const std::string path = resolve_import(file.path, import.path);
+	if (is_cycle(path, file, import)) {
+		return;
+	}
+	if (_set.modules.size() >= max_modules) {
+		if (_set.modules.size() == max_modules) {
+			_diagnostics.add(file.source->diagnostic(Severity::Error, "too-many-imports", import.offset,
+					"more than " + std::to_string(max_modules) + " imports in all"));
+		}
+		return;
+	}
+	uint32_t space = importer.space;
+	if (!import.id.empty()) {
+		space = uint32_t(_set.spaces.size());
+		Space opened;
+		opened.prefix = _set.spaces[importer.space].prefix + std::string(import.id) + ".";
+		opened.parent = importer.space;
+		_set.spaces.push_back(std::move(opened));
+		if (!_set.spaces[importer.space].imports.emplace(import.id, space).second) {
+			_diagnostics.add(file.source->diagnostic(Severity::Error, "duplicate-name", import.offset,
+					"two imports are called `" + std::string(import.id) + "`", "give one of them another name"));
+		}
+	}
+	const uint32_t imported = read(path, &file, &import);
+	if (imported == no_node) {
+		_set.spaces[space].is_missing |= !import.id.empty();
+		return;
+	}
+	const bool is_loaded = std::any_of(_set.modules.begin(), _set.modules.end(),
+			[&](const Module &other) { return other.file == imported && other.space == space; });
+	if (!is_loaded) { // A file that two others import into one space is there once.
+		load_module(imported, space, import.id.empty() ? importer.depth + 1 : 0);
+	}
+	define_overrides(module, import, space);
+	if (!import.id.empty() && _dialect.locals == Dialect::Locals::Lexical) {
+		inherit_attributes(module, import, space);
+	}
+}
+
+void Loader::define_items(uint32_t module) {
+	const Module here = _set.modules[module];
+	const Ast &ast = _set.files[here.file]->ast;
+	for (const AstItem &item : ast.items) {
+		if (!is_default_style(ast, item) || item.name.find('.') != std::string_view::npos) {
+			continue;
+		}
+		Definition definition = { Definition::Kind::Rule, module, &item, nullptr, {}, item.offset, uint32_t(item.params.size()) };
+		if (item.kind != AstItem::Kind::Rule) {
+			const bool is_plain_function = item.kind == AstItem::Kind::Plain && _dialect.locals == Dialect::Locals::Lexical;
+			definition.kind = item.has_params || is_plain_function ? Definition::Kind::Function : Definition::Kind::Attribute;
+		}
+		define(std::move(definition), here.space, item.name);
+	}
+}
+
+void Loader::report_duplicate(const Definition &definition, const Definition &older, std::string_view name) {
+	const Source &source = _set.source_of(definition);
+	const Source &older_source = _set.source_of(older);
+	const uint32_t line = older_source.position(older.offset).line;
+	_diagnostics.add(source.diagnostic(Severity::Error, "duplicate-name", definition.offset,
+			"`" + std::string(name) + "` is already defined in " + older_source.name() + ":" + std::to_string(line), "rename one of them"));
+}
+
+void Loader::define(Definition definition, uint32_t space_index, std::string_view name) {
+	Space &space = _set.spaces[space_index];
+	definition.name = space.prefix + std::string(name);
+	auto &list = definition.kind == Definition::Kind::Rule ? space.rules[name] : space.values[name];
+	for (uint32_t &known : list) {
+		Definition &older = _set.definitions[known];
+		const bool is_same = older.param_count == definition.param_count;
+		const bool both_values = older.kind != definition.kind && (older.item == nullptr || !older.item->has_params || !definition.item->has_params);
+		if (!is_same && !both_values) {
+			continue;
+		}
+		const uint32_t old_depth = _set.modules[older.module].depth, new_depth = _set.modules[definition.module].depth;
+		const bool is_from_importer = _set.modules[definition.module].space != space_index;
+		if (older.module == definition.module || (old_depth == new_depth && !is_from_importer)) {
+			report_duplicate(definition, older, name);
+		} else if (is_from_importer || new_depth < old_depth) {
+			_set.definitions.push_back(std::move(definition));
+			known = uint32_t(_set.definitions.size() - 1);
+		}
+		return;
+	}
+	_set.definitions.push_back(std::move(definition));
+	list.push_back(uint32_t(_set.definitions.size() - 1));
+}
+
+// import b : "file" (a = 3, Mass --> Box)
+void Loader::define_overrides(uint32_t module, const AstImport &import, uint32_t space) {
+	for (const AstOverride &item : import.overrides) {
+		if (item.is_protected()) {
+			continue;
+		}
+		const bool is_rule = item.body != no_node;
+		const uint32_t target = is_rule ? find_overload(_set, find_list(_set.spaces[space].rules, item.name), item.params.size())
+										: find_overload(_set, find_list(_set.spaces[space].values, item.name), 0);
+		if (target == no_node) {
+			const Source &source = *_set.files[_set.modules[module].file]->source;
+			_diagnostics.add(source.diagnostic(Severity::Warning, "unknown-name", item.offset,
+					"`" + import.path + "` has no " + (is_rule ? "rule `" : "attribute `") + std::string(item.name) + "`"));
+			continue;
+		}
+		_set.definitions[target].module = module;
+		_set.definitions[target].offset = item.offset;
+		_set.definitions[target].override_item = &item;
+	}
+}
+
+// An attribute of the importing file gives its value to the imported file's attribute of the same name, unless that is protected.
+void Loader::inherit_attributes(uint32_t module, const AstImport &import, uint32_t space) {
+	if (import.has_override_list && import.overrides.empty()) {
+		return;
+	}
+	for (uint32_t i = 0; i < _set.definitions.size(); ++i) {
+		Definition &imported = _set.definitions[i];
+		if (imported.kind != Definition::Kind::Attribute || imported.override_item != nullptr || imported.inherits != no_node ||
+				imported.item->kind != AstItem::Kind::Attribute || _set.modules[imported.module].space != space) {
+			continue;
+		}
+		const bool is_listed = std::any_of(import.overrides.begin(), import.overrides.end(),
+				[&](const AstOverride &item) { return item.name == imported.item->name; });
+		const uint32_t own = find_overload(_set, find_list(_set.spaces[_set.modules[module].space].values, imported.item->name), 0);
+		if (!is_listed && own != no_node && _set.definitions[own].kind == Definition::Kind::Attribute) {
+			imported.inherits = own;
+		}
+	}
+}
+
+RuleSet Loader::run(const std::string &path) {
+	_set.spaces.emplace_back();
+	const uint32_t file = read(resolve_import({}, path), nullptr, nullptr);
+	if (file != no_node) {
+		load_module(file, 0, 0);
+	}
+	return std::move(_set);
+}
+
+} // namespace
+
+uint32_t RuleSet::enter_space(uint32_t space, std::string_view &name) const {
+	for (size_t dot = name.find('.'); dot != std::string_view::npos && dot + 1 < name.size(); dot = name.find('.')) {
+		const auto found = spaces[space].imports.find(name.substr(0, dot));
+		if (found == spaces[space].imports.end()) {
+			return no_node;
+		}
+		space = found->second;
+		name.remove_prefix(dot + 1);
+	}
+	return space;
+}
+
+uint32_t RuleSet::find_rule(uint32_t space, std::string_view name, size_t param_count) const {
+	space = enter_space(space, name);
+	return space == no_node ? no_node : find_overload(*this, find_list(spaces[space].rules, name), param_count);
+}
+
+uint32_t RuleSet::find_value(uint32_t space, std::string_view name, size_t param_count) const {
+	space = enter_space(space, name);
+	return space == no_node ? no_node : find_overload(*this, find_list(spaces[space].values, name), param_count);
+}
+
+bool RuleSet::has_rule(uint32_t space, std::string_view name) const {
+	space = enter_space(space, name);
+	return space != no_node && find_list(spaces[space].rules, name) != nullptr;
+}
+
+bool RuleSet::has_value(uint32_t space, std::string_view name) const {
+	space = enter_space(space, name);
+	return space != no_node && find_list(spaces[space].values, name) != nullptr;
+}
+
+RuleSet load_rule_set(const std::string &path, const Dialect &dialect, SourceProvider &provider, Diagnostics &diagnostics) {
+	return Loader(dialect, provider, diagnostics).run(path);
+}
+
+} // namespace pcg

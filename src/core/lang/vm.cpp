@@ -1,0 +1,375 @@
+#include "core/lang/vm.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "core/lang/opcode.h"
+
+namespace pcg {
+
+namespace {
+
+// Stands in an attribute's place while it is being evaluated.
+const Value in_evaluation = Value::of_index(ValueType::Chunk, no_symbol);
+
+bool is_in_evaluation(const Value &value) { return value.type == ValueType::Chunk; }
+
+} // namespace
+
+Vm::Vm(const Program &program, VmHost &host, VmLimits limits) : _program(&program), _host(&host), _limits(limits) {
+	_limits.max_stack = std::max(_limits.max_stack, program.max_stack + 16);
+	_memory.reset(new std::byte[size_t(_limits.max_stack) * sizeof(Value)]);
+	_stack = reinterpret_cast<Value *>(_memory.get());
+	_stack_end = _stack + _limits.max_stack;
+	_top = _stack;
+	_frames.reserve(64);
+	_trail.reserve(64);
+	_overrides.resize(program.attributes.size());
+	begin(0);
+}
+
+void Vm::begin(uint64_t seed) {
+	_seed = seed;
+	_own_random = Random(seed, 0);
+	_random = &_own_random;
+	_failed = false;
+	_is_paused = false;
+	_native_depth = 0;
+	_call_depth = 0;
+	_steps = 0;
+	_top = _stack;
+	_base = 0;
+	_address = 0;
+	_frames.clear();
+	_trail.clear();
+	_slots.assign(_program->slot_count, Value());
+	_own_attributes.assign(_overrides.begin(), _overrides.end());
+	_attributes = _own_attributes.data();
+	_texts.clear();
+	_text_storage.clear();
+	_arrays.clear();
+	_array_storage.clear();
+}
+
+// --- Frames
+
+void Vm::set_slot(uint32_t slot, const Value &value) {
+	_trail.push_back({ slot, _slots[slot] });
+	_slots[slot] = value;
+}
+
+void Vm::unwind_trail(uint32_t mark) {
+	while (_trail.size() > mark) {
+		_slots[_trail.back().slot] = _trail.back().old;
+		_trail.pop_back();
+	}
+}
+
+// Attributes see no locals: their value would depend on who asks first.
+void Vm::hide_slots() {
+	for (uint32_t slot = 0; slot < _slots.size(); ++slot) {
+		if (!_slots[slot].is_void()) {
+			set_slot(slot, Value());
+		}
+	}
+}
+
+bool Vm::count_step() {
+	if (++_steps <= _limits.max_steps) {
+		return true;
+	}
+	fail("step-limit", "gave up after " + std::to_string(_limits.max_steps) + " calls in one run",
+			"do rules call each other without an end?");
+	return false;
+}
+
+bool Vm::enter(uint32_t index, uint32_t count, uint32_t return_address, VmFrame::Kind kind) {
+	if (!count_step()) {
+		return false;
+	}
+	if (_call_depth >= _limits.max_depth) {
+		fail("recursion-limit", "rules and functions call each other deeper than " + std::to_string(_limits.max_depth) + " levels",
+				"a rule that calls itself needs a case that ends it");
+		return false;
+	}
+	if (_top + _program->max_stack > _stack_end) {
+		fail("recursion-limit", "the rules need more than " + std::to_string(_limits.max_stack) + " values at a time",
+				"a rule that calls itself needs a case that ends it");
+		return false;
+	}
+	const Callable &callable = _program->callables[index];
+	_frames.push_back({ kind, index, return_address, _base, uint32_t(_trail.size()) });
+	++_call_depth;
+	if (_program->dialect->locals == Dialect::Locals::Dynamic) {
+		_top -= count;
+		for (uint32_t i = 0; i < count; ++i) {
+			set_slot(_program->param_slots[callable.first_slot + i], _top[i]);
+		}
+		_base = uint32_t(_top - _stack);
+	} else {
+		_base = uint32_t(_top - _stack) - count;
+	}
+	_address = uint32_t(callable.code);
+	return true;
+}
+
+// Goes back to the caller of the topmost frame; the stack is the instruction's business.
+void Vm::pop_frame() {
+	const VmFrame frame = _frames.back();
+	_frames.pop_back();
+	unwind_trail(frame.trail_mark);
+	switch (frame.kind) {
+		case VmFrame::Kind::Rule:
+		case VmFrame::Kind::Function:
+			--_call_depth;
+			_base = frame.base;
+			break;
+		case VmFrame::Kind::Group:
+			_host->pop_group(*this);
+			break;
+		case VmFrame::Kind::Native:
+			--_native_depth;
+			_base = frame.base;
+			break;
+	}
+	_address = frame.return_address;
+}
+
+bool Vm::enter_native(Border &border) {
+	border = { _frames.size(), _address, _base, _top };
+	if (_failed || !count_step()) {
+		return false;
+	}
+	if (_native_depth >= _limits.max_native_depth || _top + _program->max_stack > _stack_end) {
+		fail("recursion-limit", "blocks nested deeper than " + std::to_string(_limits.max_native_depth) + " levels while running",
+				"a rule that calls itself needs a case that ends it");
+		return false;
+	}
+	_frames.push_back({ VmFrame::Kind::Native, 0, _address, _base, uint32_t(_trail.size()) });
+	++_native_depth;
+	return true;
+}
+
+void Vm::leave_native(const Border &border) {
+	while (_frames.size() > border.frame_count) {
+		pop_frame();
+	}
+	_address = border.address;
+	_base = border.base;
+	_top = border.top;
+}
+
+// --- Runs
+
+RunState Vm::finish(Stop stop, const Border &border) {
+	_is_paused = stop == Stop::Paused && !_failed;
+	if (_is_paused) {
+		return RunState::Paused;
+	}
+	leave_native(border);
+	return _failed ? RunState::Failed : RunState::Finished;
+}
+
+RunState Vm::call(RuleId rule, std::span<const Value> args) {
+	const bool is_outermost = _frames.empty();
+	if (is_outermost) {
+		_failed = false;
+		_address = 0;
+	}
+	if (index_of(rule) >= _program->rules.size() || _program->callables[index_of(rule)].code == Chunk::None ||
+			_program->callables[index_of(rule)].param_count != args.size()) {
+		fail("bad-start", "the host called a rule that does not exist or has other parameters");
+		return RunState::Failed;
+	}
+	Border border;
+	Stop stop = Stop::Stopped;
+	if (enter_native(border)) {
+		_top = std::copy(args.begin(), args.end(), _top);
+		if (enter(index_of(rule), uint32_t(args.size()), 0, VmFrame::Kind::Rule)) {
+			stop = run();
+		}
+	}
+	return finish(stop, border);
+}
+
+RunState Vm::resume() {
+	if (!_is_paused) {
+		return _failed ? RunState::Failed : RunState::Finished;
+	}
+	_is_paused = false;
+	return finish(run(), { 0, 0, 0, _stack });
+}
+
+void Vm::abandon() {
+	_is_paused = false;
+	leave_native({ 0, 0, 0, _stack });
+}
+
+Value Vm::evaluate(Chunk chunk) {
+	if (chunk == Chunk::None) {
+		return Value();
+	}
+	Border border;
+	Value result;
+	if (enter_native(border)) {
+		_address = uint32_t(chunk);
+		const Stop stop = run();
+		if (stop == Stop::Returned && !_failed) {
+			result = _top[-1];
+		}
+	}
+	leave_native(border);
+	return result;
+}
+
+Flow Vm::run_body(Chunk chunk) {
+	if (chunk == Chunk::None) {
+		return Flow::Next;
+	}
+	Border border;
+	Stop stop = Stop::Stopped;
+	if (enter_native(border)) {
+		_address = uint32_t(chunk);
+		stop = run();
+	}
+	leave_native(border);
+	return stop == Stop::Returned && !_failed ? Flow::Next : Flow::Stop;
+}
+
+// --- Attributes
+
+bool Vm::override_attribute(std::string_view name, Value value) {
+	const int index = _program->find_attribute(name);
+	if (index < 0 || _program->attributes[size_t(index)].kind == AttributeInfo::Kind::Constant) {
+		return false;
+	}
+	if (value.is_text()) { // The host's text need not live as long as the override.
+		const uint32_t symbol = _program->find_text(value.text->view);
+		if (symbol != no_symbol) {
+			value = Value::of(&_program->texts[symbol]);
+		} else {
+			_override_texts.emplace_back(value.text->view);
+			_override_text_values.push_back({ _override_texts.back(), no_symbol });
+			value = Value::of(&_override_text_values.back());
+		}
+	}
+	_overrides[size_t(index)] = value;
+	_own_attributes[size_t(index)] = value;
+	return true;
+}
+
+void Vm::clear_overrides() {
+	std::fill(_overrides.begin(), _overrides.end(), Value());
+	std::fill(_own_attributes.begin(), _own_attributes.end(), Value());
+	_override_text_values.clear();
+	_override_texts.clear();
+}
+
+Value Vm::attribute(int index) {
+	if (index < 0 || size_t(index) >= _program->attributes.size()) {
+		return Value();
+	}
+	return load_attribute(uint32_t(index));
+}
+
+void Vm::evaluate_attributes() {
+	for (uint32_t i = 0; i < _program->attributes.size() && !_failed; ++i) {
+		load_attribute(i);
+	}
+}
+
+const Value &Vm::load_attribute(uint32_t index) {
+	Value &value = _attributes[index];
+	if (!value.is_void() && !is_in_evaluation(value)) {
+		return value;
+	}
+	if (is_in_evaluation(value)) {
+		fail("attribute-cycle", "the value of `" + _program->attributes[index].name + "` depends on itself");
+		return value;
+	}
+	value = in_evaluation;
+	Value result = evaluate_attribute(index);
+	return _attributes[index] = result;
+}
+
+Value Vm::evaluate_attribute(uint32_t index) {
+	const AttributeInfo &info = _program->attributes[index];
+	Border border;
+	Value result;
+	if (enter_native(border)) {
+		Random own(_seed, hash_text(info.name));
+		Random *const callers = _random;
+		_random = &own;
+		hide_slots();
+		_base = uint32_t(_top - _stack);
+		_address = uint32_t(info.code);
+		if (run() == Stop::Returned && !_failed) {
+			result = _top[-1];
+		}
+		_random = callers;
+	}
+	leave_native(border);
+	return result;
+}
+
+// --- Messages
+
+SourcePlace Vm::place() const {
+	const size_t at = _address > 0 ? _address - 1 : 0;
+	return at < _program->places.size() ? _program->places[at] : SourcePlace();
+}
+
+RuleId Vm::running_rule() const {
+	for (size_t i = _frames.size(); i-- > 0;) {
+		if (_frames[i].kind == VmFrame::Kind::Rule) {
+			return RuleId(_frames[i].callable);
+		}
+	}
+	return RuleId::Invalid;
+}
+
+Diagnostic Vm::diagnostic_here(Severity severity, std::string_view id, std::string message, std::string hint) const {
+	const SourcePlace at = place();
+	Diagnostic diagnostic = { severity, id, {}, at.line, at.column, std::move(message), std::move(hint), {} };
+	if (at.line > 0 && at.file < _program->files.size()) {
+		diagnostic.file = _program->files[at.file];
+		diagnostic.source = std::string(_program->sources[at.file]->line(at.line).substr(0, 2000));
+	} else if (!_program->files.empty()) {
+		diagnostic.file = _program->files[0];
+	}
+	return diagnostic;
+}
+
+Value Vm::fail(std::string_view id, std::string message, std::string hint) {
+	if (!_failed) {
+		_failed = true;
+		_host->report(diagnostic_here(Severity::Error, id, std::move(message), std::move(hint)));
+	}
+	return Value();
+}
+
+void Vm::warn(std::string_view id, std::string message, std::string hint) {
+	const auto at = std::lower_bound(_warned.begin(), _warned.end(), _address);
+	if (at != _warned.end() && *at == _address) {
+		return;
+	}
+	_warned.insert(at, _address);
+	_host->report(diagnostic_here(Severity::Warning, id, std::move(message), std::move(hint)));
+}
+
+// --- What a run makes
+
+const Text *Vm::make_text(std::string_view text) {
+	_text_storage.emplace_back(text);
+	_texts.push_back({ _text_storage.back(), no_symbol });
+	return &_texts.back();
+}
+
+const ArrayData *Vm::make_array(std::span<const Value> values, uint32_t rows) {
+	_array_storage.emplace_back(values.begin(), values.end());
+	const uint32_t columns = rows > 0 ? uint32_t(values.size()) / rows : 0;
+	_arrays.push_back({ _array_storage.back().data(), rows, columns });
+	return &_arrays.back();
+}
+
+} // namespace pcg

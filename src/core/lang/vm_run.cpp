@@ -1,0 +1,304 @@
+#include "core/lang/opcode.h"
+#include "core/lang/vm.h"
+
+// The loop that executes instructions. Nothing in it looks up a string or allocates.
+namespace pcg {
+
+bool Vm::is_true(const Value &condition) {
+	if (!condition.is_bool()) {
+		fail("type-mismatch", "a condition is true or false, this is " + std::string(type_name(condition.type)));
+		return false;
+	}
+	return condition.boolean;
+}
+
+Flow Vm::call_operation(const Instruction &instruction, uint32_t mask, const Block *block, const Block *second_block) {
+	const OperationSpec &spec = _program->dialect->operations[instruction.extra];
+	Value *const first = _top - instruction.count;
+	const Args args = { { first, instruction.count }, block, second_block, spec.user };
+	if (!count_step() || (mask != 0 && !check_arguments(spec.params, spec.name, args, mask))) {
+		return Flow::Stop;
+	}
+	const Flow flow = spec.handler(*this, args);
+	_top = first;
+	if (flow == Flow::Pause && _native_depth > 1) {
+		fail("pause-in-block", "`" + std::string(spec.name) + "` takes time and cannot stand inside the block of another operation",
+				"call it from the rule itself, or from a `case` or `[ ]` in it");
+		return Flow::Stop;
+	}
+	return flow;
+}
+
+// Long because this is the dispatch loop: one short case for each instruction, and nothing between them.
+Vm::Stop Vm::run() {
+	const Program &program = *_program;
+	const Instruction *const code = program.code.data();
+	const Instruction *ip = code + _address;
+	Value *top = _top;
+	// Handlers see the interpreter's state in the members; the loop keeps its own copies in registers.
+	const auto store = [&] {
+		_address = uint32_t(ip - code);
+		_top = top;
+	};
+	for (;;) {
+		const Instruction i = *ip++;
+		switch (i.code) {
+			case OpCode::PushConstant:
+				*top++ = program.constants[i.operand];
+				break;
+			case OpCode::LoadLocal:
+				*top++ = _stack[_base + i.operand];
+				break;
+			case OpCode::LoadSlot:
+				*top = _slots[i.operand];
+				if (top->is_void()) [[unlikely]] {
+					store();
+					fail("unset-local", "`" + program.slot_names[i.operand] + "` has no value here",
+							"set(" + program.slot_names[i.operand] + ", ..) must come before, in this rule or in one that calls it");
+					return Stop::Stopped;
+				}
+				++top;
+				break;
+			case OpCode::JumpIfUnset:
+				if (_slots[i.extra].is_void()) {
+					ip += int32_t(i.operand);
+				}
+				break;
+			case OpCode::LoadAttribute:
+				*top = _attributes[i.operand];
+				if (top->is_void() || top->type == ValueType::Chunk) [[unlikely]] {
+					store();
+					*top = load_attribute(i.operand);
+					if (_failed) {
+						return Stop::Stopped;
+					}
+				}
+				++top;
+				break;
+			case OpCode::LoadVariable: {
+				store();
+				const Value value = program.dialect->variables[i.operand].handler(*this);
+				if (_failed) [[unlikely]] {
+					return Stop::Stopped;
+				}
+				*top++ = value;
+				break;
+			}
+#define PCG_ARITHMETIC(name, expression)                                                                                                    \
+	case OpCode::name: {                                                                                                                  \
+		const Value &a = top[-2], &b = top[-1];                                                                                            \
+		if (a.is_number() && b.is_number()) [[likely]] {                                                                                   \
+			top[-2] = Value::of(expression);                                                                                                \
+		} else {                                                                                                                           \
+			store();                                                                                                                        \
+			top[-2] = arithmetic(i.code, a, b);                                                                                             \
+			if (_failed) {                                                                                                                  \
+				return Stop::Stopped;                                                                                                        \
+			}                                                                                                                               \
+		}                                                                                                                                  \
+		--top;                                                                                                                             \
+		break;                                                                                                                             \
+	}
+				PCG_ARITHMETIC(Add, a.number + b.number)
+				PCG_ARITHMETIC(Subtract, a.number - b.number)
+				PCG_ARITHMETIC(Multiply, a.number * b.number)
+				PCG_ARITHMETIC(Less, a.number < b.number)
+				PCG_ARITHMETIC(LessEqual, a.number <= b.number)
+				PCG_ARITHMETIC(Greater, a.number > b.number)
+				PCG_ARITHMETIC(GreaterEqual, a.number >= b.number)
+				PCG_ARITHMETIC(Equal, a.number == b.number)
+				PCG_ARITHMETIC(NotEqual, a.number != b.number)
+#undef PCG_ARITHMETIC
+			case OpCode::Divide:
+			case OpCode::Modulo: {
+				store();
+				top[-2] = arithmetic(i.code, top[-2], top[-1]);
+				if (_failed) [[unlikely]] {
+					return Stop::Stopped;
+				}
+				--top;
+				break;
+			}
+			case OpCode::Negate:
+				store();
+				top[-1] = negate(top[-1]);
+				if (_failed) [[unlikely]] {
+					return Stop::Stopped;
+				}
+				break;
+			case OpCode::Not:
+				store();
+				top[-1] = Value::of(!is_true(top[-1]));
+				if (_failed) [[unlikely]] {
+					return Stop::Stopped;
+				}
+				break;
+			case OpCode::Jump:
+				ip += int32_t(i.operand);
+				break;
+			case OpCode::JumpIfFalse: {
+				--top;
+				if (!top->is_bool()) [[unlikely]] {
+					store();
+					is_true(*top);
+					return Stop::Stopped;
+				}
+				ip += top->boolean ? 0 : int32_t(i.operand);
+				break;
+			}
+			case OpCode::AndJump:
+			case OpCode::OrJump: {
+				if (!top[-1].is_bool()) [[unlikely]] {
+					store();
+					is_true(top[-1]);
+					return Stop::Stopped;
+				}
+				if (top[-1].boolean == (i.code == OpCode::OrJump)) {
+					ip += int32_t(i.operand);
+				} else {
+					--top;
+				}
+				break;
+			}
+			case OpCode::CheckBool:
+				if (!top[-1].is_bool()) [[unlikely]] {
+					store();
+					is_true(top[-1]);
+					return Stop::Stopped;
+				}
+				break;
+			case OpCode::Draw:
+				*top++ = Value::of(_random->uniform(0.0, 100.0));
+				break;
+			case OpCode::ChanceJump: {
+				--top;
+				if (!top->is_number()) [[unlikely]] {
+					store();
+					fail("type-mismatch", "a share is a number in percent, this is " + std::string(type_name(top->type)));
+					return Stop::Stopped;
+				}
+				top[-1].number -= top->number;
+				if (top[-1].number >= 0.0) {
+					ip += int32_t(i.operand);
+				} else {
+					--top;
+				}
+				break;
+			}
+			case OpCode::Pop:
+				--top;
+				break;
+			case OpCode::TagSize:
+				top[-1].size_kind = SizeKind(i.extra);
+				break;
+			case OpCode::CallFunction: {
+				store();
+				const FunctionSpec &spec = program.dialect->functions[i.extra];
+				Value *const first = top - i.count;
+				const Args args = { { first, i.count }, nullptr, nullptr, spec.user };
+				if (i.operand != 0 && !check_arguments(spec.params, spec.name, args, i.operand)) [[unlikely]] {
+					return Stop::Stopped;
+				}
+				const Value result = spec.handler(*this, args);
+				if (_failed) [[unlikely]] {
+					return Stop::Stopped;
+				}
+				*first = result;
+				top = first + 1;
+				break;
+			}
+			case OpCode::CallOperation:
+			case OpCode::CallBlock: {
+				const Block *block = nullptr, *second_block = nullptr;
+				uint32_t mask = i.operand;
+				if (i.code == OpCode::CallBlock) {
+					block = &program.blocks[i.operand];
+					mask = ip[0].operand;
+					second_block = ip[1].operand > 0 ? &program.blocks[ip[1].operand - 1] : nullptr;
+					ip += 2;
+				}
+				store();
+				const Flow flow = call_operation(i, mask, block, second_block);
+				if (flow != Flow::Next || _failed) [[unlikely]] {
+					return flow == Flow::Pause && !_failed ? Stop::Paused : Stop::Stopped;
+				}
+				top = _top;
+				break;
+			}
+			case OpCode::Data:
+				break;
+			case OpCode::CallUser:
+			case OpCode::CallRule: {
+				store();
+				const auto kind = i.code == OpCode::CallUser ? VmFrame::Kind::Function : VmFrame::Kind::Rule;
+				if (!enter(i.operand, i.count, _address, kind)) [[unlikely]] {
+					return Stop::Stopped;
+				}
+				ip = code + _address;
+				top = _top;
+				break;
+			}
+			case OpCode::CallHostRule: {
+				store();
+				const Flow flow = count_step() ? _host->call_rule(*this, RuleId(i.operand), { top - i.count, i.count }) : Flow::Stop;
+				if (flow != Flow::Next || _failed) [[unlikely]] {
+					return Stop::Stopped;
+				}
+				top -= i.count;
+				break;
+			}
+			case OpCode::SetSlot:
+				--top;
+				set_slot(i.operand, *top);
+				break;
+			case OpCode::PushGroup:
+				store();
+				_frames.push_back({ VmFrame::Kind::Group, 0, 0, _base, uint32_t(_trail.size()) });
+				_host->push_group(*this);
+				break;
+			case OpCode::PopGroup:
+				store();
+				pop_frame();
+				break;
+			case OpCode::MakeArray: {
+				store();
+				top -= i.operand;
+				const uint32_t rows = i.extra > 0 ? i.operand / i.extra : 1;
+				Value value;
+				value.type = ValueType::Array;
+				value.array = make_array({ top, i.operand }, rows);
+				*top++ = value;
+				break;
+			}
+			case OpCode::Index: {
+				store();
+				const Value value = index_array(top[-1 - int(i.count)], { top - i.count, i.count });
+				if (_failed) [[unlikely]] {
+					return Stop::Stopped;
+				}
+				top -= i.count;
+				top[-1] = value;
+				break;
+			}
+			case OpCode::Return:
+			case OpCode::End: {
+				const VmFrame::Kind kind = _frames.back().kind;
+				const uint32_t base = _base;
+				store();
+				pop_frame();
+				if (kind == VmFrame::Kind::Native) {
+					return Stop::Returned;
+				}
+				const Value result = i.code == OpCode::Return ? top[-1] : Value();
+				top = _stack + base;
+				if (i.code == OpCode::Return) {
+					*top++ = result;
+				}
+				ip = code + _address;
+				break;
+			}
+		}
+	}
+}
+
+} // namespace pcg
