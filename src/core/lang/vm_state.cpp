@@ -1,1 +1,183 @@
+#include <algorithm>
+
+#include "core/lang/opcode.h"
 #include "core/lang/vm.h"
+
+// A paused run as data and back. A state may come from a file that somebody damaged: what is restored is checked, since the loop itself trusts
+// its addresses.
+namespace pcg {
+
+namespace {
+
+constexpr uint32_t first_own_text = 0x80000000u;
+
+} // namespace
+
+Value Vm::to_saved(const Value &value, VmState &state) const {
+	Value saved = value;
+	if (value.type == ValueType::Text) {
+		saved.number = 0.0;
+		saved.index = value.text->symbol;
+		if (value.text->symbol == no_symbol) {
+			saved.index = first_own_text + uint32_t(state.texts.size());
+			state.texts.emplace_back(value.text->view);
+		}
+	} else if (value.type == ValueType::Array) {
+		VmState::SavedArray array;
+		array.rows = value.array->rows;
+		array.columns = value.array->columns;
+		for (uint32_t i = 0; i < array.rows * array.columns; ++i) {
+			array.values.push_back(to_saved(value.array->values[i], state));
+		}
+		saved.number = 0.0;
+		saved.index = uint32_t(state.arrays.size());
+		state.arrays.push_back(std::move(array));
+	}
+	return saved;
+}
+
+VmState Vm::save() const {
+	VmState state;
+	state.fingerprint = _program->fingerprint;
+	state.seed = _seed;
+	state.steps = _steps;
+	state.random_key = _own_random.key();
+	state.random_counter = _own_random.counter();
+	state.address = _address;
+	state.base = _base;
+	state.frames = _frames;
+	for (const VmTrailEntry &entry : _trail) {
+		state.trail.push_back({ entry.slot, to_saved(entry.old, state) });
+	}
+	for (const Value *value = _stack; value != _top; ++value) {
+		state.stack.push_back(to_saved(*value, state));
+	}
+	for (const Value &value : _slots) {
+		state.slots.push_back(to_saved(value, state));
+	}
+	for (const Value &value : _own_attributes) {
+		state.attributes.push_back(to_saved(value, state));
+	}
+	return state;
+}
+
+// False: it names text, an array or a piece of code that does not exist. Arrays were numbered after those inside of them.
+bool Vm::from_saved(Value &value, const VmState &state) {
+	switch (value.type) {
+		case ValueType::Void:
+		case ValueType::Number:
+		case ValueType::Bool:
+			return true;
+		case ValueType::Text:
+			if (value.index >= first_own_text) {
+				if (value.index - first_own_text >= state.texts.size()) {
+					return false;
+				}
+				value.text = make_text(state.texts[value.index - first_own_text]);
+				return true;
+			}
+			if (value.index >= _program->texts.size()) {
+				return false;
+			}
+			value.text = &_program->texts[value.index];
+			return true;
+		case ValueType::Rule:
+			return value.rule < _program->rules.size();
+		case ValueType::Array:
+			if (value.index >= _arrays.size()) {
+				return false;
+			}
+			value.array = &_arrays[value.index];
+			return true;
+		case ValueType::Word:
+			return true;
+		case ValueType::Chunk:
+		case ValueType::Attribute:
+		case ValueType::Variable:
+			return false;
+	}
+	return false;
+}
+
+// A run can only pause inside of rules and groups that one call() from outside began: at an operation, with nothing on the stack but the locals of
+// the frames.
+bool Vm::is_sound(const VmState &state) const {
+	const auto follows = [&](uint32_t address, OpCode code) {
+		return address > 0 && address < _program->code.size() && _program->code[address - 1].code == code;
+	};
+	if (state.fingerprint != _program->fingerprint || state.slots.size() != _program->slot_count ||
+			state.attributes.size() != _program->attributes.size() || state.frames.size() < 2 || state.frames.size() > 4u * _limits.max_depth ||
+			!follows(state.address, OpCode::CallOperation) || state.frames[0].kind != VmFrame::Kind::Native) {
+		return false;
+	}
+	uint32_t height = 0, base = 0, trail = 0;
+	for (size_t i = 0; i < state.frames.size(); ++i) {
+		const VmFrame &frame = state.frames[i];
+		if (frame.trail_mark < trail || frame.trail_mark > state.trail.size() || frame.base != base) {
+			return false;
+		}
+		trail = frame.trail_mark;
+		if (frame.kind == VmFrame::Kind::Rule) {
+			const bool is_first = i == 1;
+			if (frame.callable >= _program->rules.size() ||
+					(is_first ? frame.return_address != 0 : !follows(frame.return_address, OpCode::CallRule))) {
+				return false;
+			}
+			base = height;
+			height += _program->callables[frame.callable].frame_size;
+		} else if (i == 0 ? frame.return_address != 0 : frame.kind != VmFrame::Kind::Group || i == 1) {
+			return false;
+		}
+	}
+	const bool slots_exist = std::all_of(state.trail.begin(), state.trail.end(),
+			[&](const VmTrailEntry &entry) { return entry.slot < _program->slot_count; });
+	return slots_exist && base == state.base && height == state.stack.size() && height + _program->max_stack < _limits.max_stack;
+}
+
+bool Vm::restore(const VmState &state) {
+	if (_is_paused) {
+		abandon();
+	}
+	if (!is_sound(state)) {
+		return false;
+	}
+	begin(state.seed);
+	for (const VmState::SavedArray &saved : state.arrays) {
+		std::vector<Value> values = saved.values;
+		const bool is_good = uint64_t(saved.rows) * saved.columns == values.size() &&
+				std::all_of(values.begin(), values.end(), [&](Value &value) { return from_saved(value, state); });
+		if (!is_good) {
+			begin(0);
+			return false;
+		}
+		make_array(values, saved.rows);
+	}
+	_trail = state.trail;
+	_slots = state.slots;
+	_own_attributes = state.attributes;
+	_attributes = _own_attributes.data();
+	_top = std::copy(state.stack.begin(), state.stack.end(), _stack);
+	bool is_good = true;
+	for (VmTrailEntry &entry : _trail) {
+		is_good = is_good && from_saved(entry.old, state);
+	}
+	for (auto [first, last] : { std::pair(_stack, _top), std::pair(_slots.data(), _slots.data() + _slots.size()),
+				 std::pair(_own_attributes.data(), _own_attributes.data() + _own_attributes.size()) }) {
+		is_good = is_good && std::all_of(first, last, [&](Value &value) { return from_saved(value, state); });
+	}
+	if (!is_good) {
+		begin(0);
+		return false;
+	}
+	_frames = state.frames;
+	_call_depth = uint32_t(std::count_if(_frames.begin(), _frames.end(), [](const VmFrame &frame) { return frame.kind == VmFrame::Kind::Rule; }));
+	_native_depth = 1;
+	_steps = state.steps;
+	_own_random.restore(state.random_key, state.random_counter);
+	_address = state.address;
+	_base = state.base;
+	_is_paused = true;
+	return true;
+}
+
+} // namespace pcg
