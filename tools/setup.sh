@@ -98,7 +98,7 @@ need_import() {
 	local list=.godot/extension_list.cfg manifest=res://addons/pcg/pcg.gdextension stamp=.godot/imported.stamp changed
 	mkdir -p .godot
 	grep -qsx "$manifest" $list || echo "$manifest" >$list
-	changed=$(find project.godot addons demo rules tests/godot -newer $stamp -not -path 'addons/pcg/bin*' -print -quit 2>&1 || true)
+	changed=$(find project.godot addons demo rules tests/godot -newer $stamp -print -quit 2>&1 || true)
 	[ -n "$changed" ] || return 0
 	with_progress build/import.log "the engine imports the project" headless "$GODOT" --headless --path . --import || {
 		cat build/import.log >&2
