@@ -1,0 +1,104 @@
+#include "core/city/walkable.h"
+
+#include <algorithm>
+
+#include "core/navigation/reachability.h"
+
+namespace pcg {
+
+namespace {
+
+bool is_near(const std::vector<glm::vec3> &polygon, glm::vec3 min, glm::vec3 max) {
+	glm::vec3 low = polygon[0], high = polygon[0];
+	for (const glm::vec3 &corner : polygon) {
+		low = { std::min(low.x, corner.x), 0.0f, std::min(low.z, corner.z) };
+		high = { std::max(high.x, corner.x), 0.0f, std::max(high.z, corner.z) };
+	}
+	return low.x <= max.x && high.x >= min.x && low.z <= max.z && high.z >= min.z;
+}
+
+void add_fan(std::vector<glm::vec3> &triangles, const std::vector<glm::vec3> &polygon) {
+	for (size_t i = 1; i + 1 < polygon.size(); ++i) {
+		triangles.insert(triangles.end(), { polygon[0], polygon[i], polygon[i + 1] });
+	}
+}
+
+void add_polygon(NavRegion &region, const std::vector<glm::vec3> &polygon, float cost) {
+	std::vector<uint32_t> indices;
+	for (const glm::vec3 &corner : polygon) {
+		indices.push_back(uint32_t(region.vertices.size()));
+		region.vertices.push_back(corner);
+	}
+	region.polygons.push_back(std::move(indices));
+	region.costs.push_back(cost);
+}
+
+float cost_of(GroundKind kind, const GroundCosts &costs) {
+	switch (kind) {
+		case GroundKind::Street: return costs.street;
+		case GroundKind::Crossing: return costs.crossing;
+		case GroundKind::Pavement: return costs.pavement;
+	}
+	return 1.0f;
+}
+
+} // namespace
+
+BlockSource block_source_faces(const City &city, BlockId block, float border) {
+	BlockSource source;
+	const CityBlock &cell = city.layout.block(block);
+	source.min = cell.cell_min;
+	source.max = cell.cell_max;
+	const glm::vec3 min = source.min - glm::vec3(border), max = source.max + glm::vec3(border);
+	for (const Ground &ground : city.layout.ground) {
+		if (is_near(ground.polygon, min, max)) {
+			add_fan(source.triangles, ground.polygon);
+		}
+	}
+	for (size_t i = 0; i < city.lots.size(); ++i) {
+		if (is_near(city.layout.lots[i].polygon, min, max)) {
+			for (const std::vector<glm::vec3> &piece : city.lots[i].free_ground) {
+				add_fan(source.triangles, piece);
+			}
+		}
+	}
+	return source;
+}
+
+NavRegion city_nav_region(const City &city, const GroundCosts &costs) {
+	NavRegion region;
+	for (const Ground &ground : city.layout.ground) {
+		add_polygon(region, ground.polygon, cost_of(ground.kind, costs));
+	}
+	for (const LotBuild &lot : city.lots) {
+		for (const std::vector<glm::vec3> &piece : lot.free_ground) {
+			add_polygon(region, piece, costs.lot);
+		}
+	}
+	return region;
+}
+
+NavMesh city_nav_mesh(const City &city, const GroundCosts &costs) {
+	const NavRegion region = city_nav_region(city, costs);
+	NavMeshOptions options;
+	options.margin = 0.05f; // pieces fit exactly, but for rounding
+	return NavMesh::build({ &region, 1 }, options);
+}
+
+void report_unreachable(const City &city, const NavMesh &mesh, Diagnostics &diagnostics) {
+	const std::vector<Reach> verdicts = reach_of_entrances(city.model, mesh);
+	for (size_t i = 0; i < verdicts.size(); ++i) {
+		if (verdicts[i] != Reach::OffMesh && verdicts[i] != Reach::Island) {
+			continue;
+		}
+		const Entrance &entrance = city.model.entrances()[i];
+		const LotId lot = city.model.building(entrance.building).lot;
+		const std::string place = index_of(lot) < city.layout.lots.size() ? lot_name(city.layout, lot) : "a building without a lot";
+		const std::string type(city.model.types.name(entrance.type));
+		diagnostics.warning("unreachable-entrance", place + ": the entrance of type `" + type + "` cannot be reached on foot: " +
+						(verdicts[i] == Reach::OffMesh ? "there is no walkable ground before it" : "the ground before it is not connected with the streets"),
+				"leave free ground between the door and the street");
+	}
+}
+
+} // namespace pcg

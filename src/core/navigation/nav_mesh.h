@@ -1,0 +1,95 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+// Where people can walk: convex polygons and the gaps between them. Built once from regions, then read by any number of threads.
+// Metres, y up.
+namespace pcg {
+
+constexpr uint32_t no_polygon = 0xFFFFFFFF;
+
+// One baked piece of a city, as an engine hands it over.
+struct NavRegion {
+	std::vector<glm::vec3> vertices;
+	std::vector<std::vector<uint32_t>> polygons; // indices of vertices; convex in plan, either way around
+	// For each polygon what a metre in it costs compared to the cheapest ground, >= 1: people cross streets at crossings. Empty: all 1.
+	std::vector<float> costs;
+};
+
+struct NavMeshOptions {
+	// Edges of different polygons are joined where they run side by side, opposite to each other, with a gap of at most this many metres.
+	float margin = 0.25f;
+	float step = 0.6f; // and at heights that differ by at most this
+	float min_gap = 0.1f; // shorter stretches are no way through
+};
+
+// A way from one polygon into another. Seen by who walks it, the gap runs from `left` to `right`.
+struct NavLink {
+	uint32_t source = no_polygon;
+	uint32_t target = no_polygon;
+	glm::vec3 left{ 0.0f };
+	glm::vec3 right{ 0.0f };
+};
+
+struct NavPoint {
+	uint32_t polygon = no_polygon;
+	glm::vec3 position{ 0.0f };
+
+	bool is_on_mesh() const { return polygon != no_polygon; }
+};
+
+class NavMesh {
+public:
+	NavMesh() = default;
+	// Polygons with fewer than three corners, without area, with indices out of range or coordinates that are not finite are left out.
+	static NavMesh build(std::span<const NavRegion> regions, const NavMeshOptions &options = {});
+
+	size_t polygon_count() const { return _first_corner.empty() ? 0 : _first_corner.size() - 1; }
+	// Counter-clockwise seen from above.
+	std::span<const glm::vec3> corners(uint32_t polygon) const {
+		return { _corners.data() + _first_corner[polygon], _first_corner[polygon + 1] - _first_corner[polygon] };
+	}
+	const std::vector<NavLink> &links() const { return _links; }
+	uint32_t first_link(uint32_t polygon) const { return _first_link[polygon]; } // also of polygon_count(): the end
+	float cost(uint32_t polygon) const { return _costs[polygon]; }
+	float least_cost() const { return _least_cost; }
+	// Two polygons are connected if and only if their components are equal.
+	uint32_t component(uint32_t polygon) const { return _components[polygon]; }
+	size_t component_count() const { return _component_areas.size(); }
+	double component_area(uint32_t component) const { return _component_areas[component]; } // square metres
+
+	// The point of the mesh nearest to `point`, at most `reach` metres away.
+	NavPoint nearest(glm::vec3 point, float reach) const;
+	// The point of the polygon nearest to `point` in plan, at the polygon's height.
+	glm::vec3 nearest_in(uint32_t polygon, glm::vec3 point) const;
+
+private:
+	void add_polygon(const NavRegion &region, size_t index, std::vector<uint32_t> &corner_names);
+	void sort_links();
+	void find_components();
+	void fill_grid();
+	uint32_t column(float x) const;
+	uint32_t row(float z) const;
+
+	std::vector<glm::vec3> _corners;
+	std::vector<uint32_t> _first_corner; // one more than polygons
+	std::vector<float> _costs;
+	float _least_cost = 1.0f;
+	std::vector<NavLink> _links; // by source
+	std::vector<uint32_t> _first_link; // one more than polygons
+	std::vector<uint32_t> _components;
+	std::vector<double> _component_areas;
+
+	// Polygons by the cells of a grid over the plan.
+	glm::vec3 _min{ 0.0f }, _max{ 0.0f };
+	float _cell = 1.0f;
+	uint32_t _columns = 0, _rows = 0;
+	std::vector<uint32_t> _first_in_cell; // one more than cells
+	std::vector<uint32_t> _in_cell;
+};
+
+} // namespace pcg

@@ -1,0 +1,216 @@
+#include "core/navigation/nav_mesh_paths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+#include "core/semantics/city_query.h"
+
+namespace pcg {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+// No BuildingId, and not Invalid either, which is an answer.
+constexpr uint32_t not_asked = 0xFFFFFFFE;
+
+// Orders the ends of a walk, so that both directions are searched the same way.
+bool is_before(glm::vec3 a, glm::vec3 b) { return a.x != b.x ? a.x < b.x : (a.z != b.z ? a.z < b.z : a.y < b.y); }
+
+} // namespace
+
+// A finder for the time of one question. Threads that ask at once get one each; they are kept for the next questions.
+class NavMeshPaths::Borrowed {
+public:
+	explicit Borrowed(const NavMeshPaths &owner) : _owner(owner) {
+		const std::lock_guard<std::mutex> lock(owner._pool_mutex);
+		if (!owner._pool.empty()) {
+			_finder = std::move(owner._pool.back());
+			owner._pool.pop_back();
+		} else {
+			_finder = std::make_unique<PathFinder>(owner._mesh);
+		}
+	}
+	~Borrowed() {
+		const std::lock_guard<std::mutex> lock(_owner._pool_mutex);
+		_owner._pool.push_back(std::move(_finder));
+	}
+	Borrowed(const Borrowed &) = delete;
+	Borrowed &operator=(const Borrowed &) = delete;
+	PathFinder &operator*() { return *_finder; }
+
+private:
+	const NavMeshPaths &_owner;
+	std::unique_ptr<PathFinder> _finder;
+};
+
+NavMeshPaths::NavMeshPaths(const CityModel &city, const NavMesh &mesh, float reach) : _city(city), _mesh(mesh), _reach(reach) {
+	prepare();
+}
+
+void NavMeshPaths::prepare() {
+	_stops.clear();
+	for (const Entrance &entrance : _city.entrances()) {
+		_stops.push_back(entrance.is_removed ? Stop() : stop_at(entrance.position));
+	}
+	_distances = std::make_unique<DistanceCache>(_city.buildings().size());
+	_nearest.clear();
+	for (size_t type = 0; type < _city.types.size(); ++type) {
+		const size_t count = _city.buildings_of_type(TypeId(type)).empty() ? 0 : _city.buildings().size();
+		_nearest.emplace_back(count);
+		for (std::atomic<uint32_t> &answer : _nearest.back()) {
+			answer.store(not_asked, std::memory_order_relaxed);
+		}
+	}
+}
+
+NavMeshPaths::Stop NavMeshPaths::stop_at(glm::vec3 position) const { return { position, _mesh.nearest(position, _reach) }; }
+
+double NavMeshPaths::measure(PathFinder &finder, const Stop &from, const Stop &to, double limit) const {
+	if (double(glm::distance(from.position, to.position)) >= limit) {
+		return infinity;
+	}
+	const bool is_swapped = is_before(to.position, from.position);
+	if (!finder.find((is_swapped ? to : from).point, (is_swapped ? from : to).point)) {
+		return infinity;
+	}
+	return finder.length() + double(glm::distance(from.position, from.point.position)) + double(glm::distance(to.position, to.point.position));
+}
+
+double NavMeshPaths::measure_buildings(BuildingId from, BuildingId to) const {
+	Borrowed finder(*this);
+	double best = infinity;
+	for (EntranceId a : _city.building(from).entrances) {
+		for (EntranceId b : _city.building(to).entrances) {
+			if (index_of(a) < _stops.size() && index_of(b) < _stops.size()) {
+				best = std::fmin(best, measure(*finder, _stops[index_of(a)], _stops[index_of(b)], best));
+			}
+		}
+	}
+	return DistanceCache::round(best);
+}
+
+double NavMeshPaths::distance(BuildingId from, BuildingId to) const {
+	if (index_of(from) >= _city.buildings().size() || index_of(to) >= _city.buildings().size()) {
+		return infinity;
+	}
+	if (from == to) {
+		return 0.0;
+	}
+	if (const std::optional<double> known = _distances->find(from, to)) {
+		return *known;
+	}
+	const double metres = measure_buildings(from, to);
+	_distances->store(from, to, metres);
+	return metres;
+}
+
+BuildingId NavMeshPaths::nearest_building(TypeId type, BuildingId from) const {
+	if (index_of(type) >= _nearest.size() || index_of(from) >= _nearest[index_of(type)].size()) {
+		return index_of(from) < _city.buildings().size() ? search_nearest(type, from) : BuildingId::Invalid;
+	}
+	std::atomic<uint32_t> &answer = _nearest[index_of(type)][index_of(from)];
+	if (answer.load(std::memory_order_relaxed) == not_asked) {
+		answer.store(index_of(search_nearest(type, from)), std::memory_order_relaxed);
+	}
+	return BuildingId(answer.load(std::memory_order_relaxed));
+}
+
+float NavMeshPaths::crow_distance(BuildingId from, BuildingId to) const {
+	float best = std::numeric_limits<float>::infinity();
+	for (EntranceId a : _city.building(from).entrances) {
+		for (EntranceId b : _city.building(to).entrances) {
+			best = std::fmin(best, glm::distance(_city.entrance(a).position, _city.entrance(b).position));
+		}
+	}
+	return from == to ? 0.0f : best;
+}
+
+BuildingId NavMeshPaths::search_nearest(TypeId type, BuildingId from) const {
+	std::vector<std::pair<float, BuildingId>> candidates;
+	for (BuildingId candidate : _city.buildings_of_type(type)) {
+		candidates.emplace_back(crow_distance(from, candidate), candidate);
+	}
+	// Few are looked at, so a heap is cheaper than sorting all.
+	std::make_heap(candidates.begin(), candidates.end(), std::greater<>());
+	BuildingId best = BuildingId::Invalid;
+	double best_metres = infinity;
+	// A centimetre of slack, for distances are rounded.
+	while (!candidates.empty() && double(candidates.front().first) <= best_metres + 0.01) {
+		const BuildingId candidate = candidates.front().second;
+		std::pop_heap(candidates.begin(), candidates.end(), std::greater<>());
+		candidates.pop_back();
+		const double metres = distance(from, candidate);
+		if (metres < best_metres || (metres == best_metres && metres < infinity && candidate < best)) {
+			best_metres = metres;
+			best = candidate;
+		}
+	}
+	return best;
+}
+
+std::vector<glm::vec3> NavMeshPaths::path(glm::vec3 from, glm::vec3 to) const {
+	const bool is_swapped = is_before(to, from);
+	const Stop first = stop_at(is_swapped ? to : from), last = stop_at(is_swapped ? from : to);
+	Borrowed finder(*this);
+	if (!(*finder).find(first.point, last.point)) {
+		return {};
+	}
+	const std::span<const glm::vec3> points = (*finder).points();
+	std::vector<glm::vec3> path(points.begin(), points.end());
+	// Steps of less than a millimetre to the mesh are rounding.
+	const auto is_off = [](glm::vec3 a, glm::vec3 b) { return glm::distance(a, b) > 1e-3f; };
+	if (is_off(first.position, path.front())) {
+		path.insert(path.begin(), first.position);
+	}
+	if (is_off(last.position, path.back())) {
+		path.push_back(last.position);
+	}
+	path.front() = first.position;
+	path.back() = last.position;
+	if (is_swapped) {
+		std::reverse(path.begin(), path.end());
+	}
+	return path;
+}
+
+double NavMeshPaths::measure_zone(PathFinder &finder, const Stop &from, const Zone &zone, double limit, glm::vec3 &entry) const {
+	std::vector<glm::vec3> candidates = { nearest_point(zone, from.position), centroid(zone) };
+	candidates.insert(candidates.end(), zone.polygon.begin(), zone.polygon.end());
+	for (glm::vec3 candidate : candidates) {
+		const Stop stop = stop_at(candidate);
+		const double metres = stop.point.is_on_mesh() ? measure(finder, from, { stop.point.position, stop.point }, limit) : infinity;
+		if (metres < limit) {
+			entry = stop.point.position;
+			return metres;
+		}
+	}
+	return infinity;
+}
+
+ZoneId NavMeshPaths::nearest_zone(TypeId type, glm::vec3 from, glm::vec3 &entry) const {
+	std::vector<std::pair<float, ZoneId>> candidates;
+	for (ZoneId zone : _city.zones_of_type(type)) {
+		candidates.emplace_back(glm::distance(nearest_point(_city.zone(zone), from), from), zone);
+	}
+	std::sort(candidates.begin(), candidates.end());
+	const Stop start = stop_at(from);
+	Borrowed finder(*this);
+	ZoneId best = ZoneId::Invalid;
+	double best_metres = infinity;
+	for (const auto &[crow, zone] : candidates) {
+		if (double(crow) > best_metres) {
+			break;
+		}
+		const double metres = measure_zone(*finder, start, _city.zone(zone), best_metres, entry);
+		if (metres < best_metres) {
+			best_metres = metres;
+			best = zone;
+		}
+	}
+	return best;
+}
+
+} // namespace pcg

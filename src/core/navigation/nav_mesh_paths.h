@@ -1,0 +1,59 @@
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "core/navigation/distance_cache.h"
+#include "core/navigation/path_finder.h"
+#include "core/ports/path_provider.h"
+#include "core/semantics/city_model.h"
+
+// Walking paths and distances on a NavMesh. The city and the mesh must outlive it.
+namespace pcg {
+
+class NavMeshPaths : public PathProvider {
+public:
+	// A point up to `reach` metres off the mesh walks straight to its nearest point first; from further away there is no way.
+	NavMeshPaths(const CityModel &city, const NavMesh &mesh, float reach = 2.0f);
+
+	// After edits of the city: looks at its entrances anew and forgets distances. Not while other threads ask. Done by the constructor too.
+	void prepare();
+
+	// In whole centimetres, and remembered. Every pair of buildings gives the length of the path between the two entrances for which it is shortest.
+	double distance(BuildingId from, BuildingId to) const override;
+	// Exact by distance(); asks it only for candidates that could still be nearer, and remembers the answer.
+	BuildingId nearest_building(TypeId type, BuildingId from) const override;
+	// The same points in both directions.
+	std::vector<glm::vec3> path(glm::vec3 from, glm::vec3 to) const override;
+	// People enter at the point of the zone nearest to them as the crow flies, where that can be reached, else at its middle or at a corner.
+	ZoneId nearest_zone(TypeId type, glm::vec3 from, glm::vec3 &entry) const override;
+
+private:
+	struct Stop {
+		glm::vec3 position{ 0.0f }; // before the door
+		NavPoint point; // its nearest point on the mesh
+	};
+	class Borrowed; // a finder out of the pool
+
+	Stop stop_at(glm::vec3 position) const;
+	// Metres including the steps to and from the mesh; infinity if there is no way or if it is at least `limit` as the crow flies.
+	double measure(PathFinder &finder, const Stop &from, const Stop &to, double limit) const;
+	double measure_buildings(BuildingId from, BuildingId to) const;
+	BuildingId search_nearest(TypeId type, BuildingId from) const;
+	float crow_distance(BuildingId from, BuildingId to) const;
+	double measure_zone(PathFinder &finder, const Stop &from, const Zone &zone, double limit, glm::vec3 &entry) const;
+
+	const CityModel &_city;
+	const NavMesh &_mesh;
+	float _reach;
+	std::vector<Stop> _stops; // by EntranceId
+	mutable std::unique_ptr<DistanceCache> _distances;
+	// By type, then building: the answer, or `not_asked`.
+	mutable std::vector<std::vector<std::atomic<uint32_t>>> _nearest;
+	mutable std::mutex _pool_mutex;
+	mutable std::vector<std::unique_ptr<PathFinder>> _pool;
+};
+
+} // namespace pcg

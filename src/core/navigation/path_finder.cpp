@@ -1,0 +1,170 @@
+#include "core/navigation/path_finder.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace pcg {
+
+namespace {
+
+// Of the plan: positive if `c` lies left of the direction from `a` to `b`, seen from above.
+float side(glm::vec3 a, glm::vec3 b, glm::vec3 c) { return (c.x - a.x) * (b.z - a.z) - (c.z - a.z) * (b.x - a.x); }
+
+// Where the straight way from `from` to `to` passes the gap, or the end of the gap that is closest to it: walks that bend only where they must.
+glm::vec3 pass(const NavLink &link, glm::vec3 from, glm::vec3 to) {
+	const float left = side(from, to, link.left), right = side(from, to, link.right);
+	if (left <= 0.0f) { // the whole gap lies right of the way (or turned around: then either end will do)
+		return link.left;
+	}
+	if (right >= 0.0f) {
+		return link.right;
+	}
+	return link.right + (link.left - link.right) * (right / (right - left));
+}
+
+bool is_same_place(glm::vec3 a, glm::vec3 b) { return std::abs(a.x - b.x) < 1e-4f && std::abs(a.z - b.z) < 1e-4f; }
+
+} // namespace
+
+bool PathFinder::find(const NavPoint &from, const NavPoint &to) {
+	_points.clear();
+	_corridor.clear();
+	_length = 0.0;
+	if (!from.is_on_mesh() || !to.is_on_mesh() || _mesh->component(from.polygon) != _mesh->component(to.polygon)) {
+		return false;
+	}
+	if (from.polygon != to.polygon) {
+		start();
+		if (!search(from, to)) {
+			return false;
+		}
+		collect_corridor(_goal_link);
+	}
+	pull_tight(from.position, to.position);
+	for (size_t i = 1; i < _points.size(); ++i) {
+		_length += double(glm::distance(_points[i - 1], _points[i]));
+	}
+	return true;
+}
+
+void PathFinder::start() {
+	_nodes.resize(_mesh->links().size());
+	_open.clear();
+	_goal_link = no_link;
+	_goal_cost = INFINITY;
+	if (++_search == 0) { // the counter came round: forget what bears old numbers
+		std::fill(_nodes.begin(), _nodes.end(), Node());
+		_search = 1;
+	}
+}
+
+bool PathFinder::search(const NavPoint &from, const NavPoint &to) {
+	expand(from.polygon, no_link, from.position, 0.0f, to);
+	while (!_open.empty()) {
+		std::pop_heap(_open.begin(), _open.end());
+		const Open open = _open.back();
+		_open.pop_back();
+		if (open.link == no_link) {
+			return true;
+		}
+		const Node &node = _nodes[open.link];
+		if (open.cost > node.cost) {
+			continue; // a better way here was found in the meantime
+		}
+		const uint32_t polygon = _mesh->links()[open.link].target;
+		if (polygon == to.polygon) {
+			const float cost = node.cost + _mesh->cost(polygon) * glm::distance(node.point, to.position);
+			if (cost < _goal_cost) {
+				_goal_cost = cost;
+				_goal_link = open.link;
+				push({ cost, cost, no_link });
+			}
+			continue;
+		}
+		expand(polygon, open.link, node.point, node.cost, to);
+	}
+	return false;
+}
+
+void PathFinder::expand(uint32_t polygon, uint32_t from_link, glm::vec3 point, float cost, const NavPoint &to) {
+	const std::vector<NavLink> &links = _mesh->links();
+	const uint32_t came_from = from_link == no_link ? no_polygon : links[from_link].source;
+	const float ground = _mesh->cost(polygon), least = _mesh->least_cost();
+	const uint32_t end = _mesh->first_link(polygon + 1);
+	for (uint32_t i = _mesh->first_link(polygon); i < end; ++i) {
+		if (links[i].target == came_from) {
+			continue;
+		}
+		const glm::vec3 next = pass(links[i], point, to.position);
+		const float next_cost = cost + ground * glm::distance(point, next);
+		Node &node = _nodes[i];
+		if (node.search == _search && node.cost <= next_cost) {
+			continue;
+		}
+		node = { next_cost, from_link, _search, next };
+		push({ next_cost + least * glm::distance(next, to.position), next_cost, i });
+	}
+}
+
+void PathFinder::push(const Open &open) {
+	_open.push_back(open);
+	std::push_heap(_open.begin(), _open.end());
+}
+
+void PathFinder::collect_corridor(uint32_t last_link) {
+	for (uint32_t link = last_link; link != no_link; link = _nodes[link].previous) {
+		_corridor.push_back(link);
+	}
+	std::reverse(_corridor.begin(), _corridor.end());
+}
+
+void PathFinder::add_point(glm::vec3 point) {
+	if (_points.empty() || !is_same_place(_points.back(), point)) {
+		_points.push_back(point);
+	}
+}
+
+// The funnel algorithm (Lee and Preparata 1984; Mononen 2010): a wedge from the apex to the sides of the gap is narrowed gap by gap; where one
+// side crosses the other, the walk bends around that other side's corner, which becomes the apex.
+void PathFinder::pull_tight(glm::vec3 from, glm::vec3 to) {
+	const std::vector<NavLink> &links = _mesh->links();
+	const size_t gaps = _corridor.size() + 1; // the last one is the goal, without width
+	const auto left_of = [&](size_t i) { return i < _corridor.size() ? links[_corridor[i]].left : to; };
+	const auto right_of = [&](size_t i) { return i < _corridor.size() ? links[_corridor[i]].right : to; };
+	glm::vec3 apex = from, left = left_of(0), right = right_of(0);
+	size_t left_index = 0, right_index = 0;
+	add_point(from);
+	for (size_t i = 1; i < gaps; ++i) {
+		const glm::vec3 new_left = left_of(i), new_right = right_of(i);
+		if (side(apex, right, new_right) >= 0.0f) {
+			if (is_same_place(apex, right) || side(apex, left, new_right) < 0.0f) {
+				right = new_right;
+				right_index = i;
+			} else {
+				add_point(left);
+				apex = right = left;
+				i = right_index = left_index;
+				continue;
+			}
+		}
+		if (side(apex, left, new_left) <= 0.0f) {
+			if (is_same_place(apex, left) || side(apex, right, new_left) > 0.0f) {
+				left = new_left;
+				left_index = i;
+			} else {
+				add_point(right);
+				apex = left = right;
+				i = left_index = right_index;
+				continue;
+			}
+		}
+	}
+	add_point(to);
+	if (_points.size() == 1) {
+		_points.push_back(to); // from and to are one place: still a walk of two points
+	}
+}
+
+} // namespace pcg
