@@ -30,7 +30,8 @@ class Api:
         self.opaque = {n for n, c in self.builtins.items() if n not in MATH_TYPES and n not in _NUMBERS and n != "Nil"}
         self.global_enums = data["global_enums"]
         self.utilities = data["utility_functions"]
-        self.by_header = {snake_case(name): name for name in self.classes}
+        # Upstream has the engine's own ClassDB under another name, and so would we if it were needed.
+        self.by_header = {snake_case(name): name for name in self.classes if name != "ClassDB"}
 
     def lineage(self, name):
         """The class and its ancestors, nearest first."""

@@ -47,16 +47,17 @@ class BuiltinClass:
     def _life(self):
         name = self.name
         get = "internal::engine.variant_get_ptr_"
-        self.defined.append(f"""{name}::{name}({name} &&p_other) : {name}() {{
-	std::swap(opaque, p_other.opaque);
-}}
-
-{name}::~{name}() {{
+        destructor = f"{name}::~{name}() = default;\n\n" if not self.data["has_destructor"] else f"""{name}::~{name}() {{
 	static const GDExtensionPtrDestructor destructor = {get}destructor({self.type});
 	destructor(opaque);
 }}
 
-{name} &{name}::operator=(const {name} &p_other) {{
+"""
+        self.defined.append(f"""{name}::{name}({name} &&p_other) : {name}() {{
+	std::swap(opaque, p_other.opaque);
+}}
+
+{destructor}{name} &{name}::operator=(const {name} &p_other) {{
 	if (this != &p_other) {{
 		{name} copy(p_other);
 		std::swap(opaque, copy.opaque);

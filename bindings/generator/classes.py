@@ -17,6 +17,8 @@ class EngineClass:
             self._sort_method(Signature(api, data), enabled)
 
     def _sort_method(self, method, enabled):
+        if (self.name, method.name) == ("Node", "get_node"):
+            method.name = "get_node_internal"  # As in upstream: get_node<T>() stands for it.
         missing = method.referenced_classes() - enabled
         if not method.is_supported():
             self.left_out.append(f"{method.name}: raw pointers")
@@ -92,6 +94,12 @@ class EngineClass:
                 + method.vararg_template(inner, const))
 
     def _special(self):
+        if self.name == "Node":
+            return """	template <typename T>
+	T *get_node(const NodePath &p_path) const {
+		return Object::cast_to<T>(get_node_internal(p_path));
+	}
+"""
         if self.name != "Object":
             return ""
         return """	template <typename T>

@@ -10,6 +10,7 @@ class Signature:
         self.api = api
         self.data = data
         self.name = function_name(data["name"])
+        self.engine_name = data["name"]
         self.arguments = data.get("arguments", [])
         value = data.get("return_value", {"type": data.get("return_type", "void")})
         self.returned_type = value["type"]

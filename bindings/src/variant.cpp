@@ -122,8 +122,9 @@ Variant &Variant::operator=(Variant &&p_other) {
 	return *this;
 }
 
+// Values of different types are never equal here, not even 1 and 1.0; GDScript's `==` converts first.
 bool Variant::operator==(const Variant &p_other) const {
-	if (get_type() != p_other.get_type() && (get_type() == NIL || p_other.get_type() == NIL)) {
+	if (get_type() != p_other.get_type()) {
 		return false;
 	}
 	Variant result;
@@ -133,6 +134,9 @@ bool Variant::operator==(const Variant &p_other) const {
 }
 
 bool Variant::operator<(const Variant &p_other) const {
+	if (get_type() != p_other.get_type()) {
+		return get_type() < p_other.get_type();
+	}
 	Variant result;
 	bool valid = false;
 	evaluate(OP_LESS, *this, p_other, result, valid);

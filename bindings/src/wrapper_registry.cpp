@@ -106,12 +106,4 @@ Object *get_object_instance_binding(GDExtensionObjectPtr p_engine_object) {
 	return static_cast<Object *>(static_cast<Wrapped *>(wrapper));
 }
 
-Object *cast_by_name(const Object *p_object, const StringName &p_class) {
-	if (!p_object) {
-		return nullptr;
-	}
-	void *tag = engine.classdb_get_class_tag(p_class._native_ptr());
-	return tag ? get_object_instance_binding(engine.object_cast_to(p_object->_owner, tag)) : nullptr;
-}
-
 } // namespace godot::internal

@@ -56,21 +56,15 @@ public:
 	}
 };
 
-namespace internal {
-
-// The wrapper of the same object if it is of the named class, else null.
-Object *cast_by_name(const Object *p_object, const StringName &p_class);
-
-} // namespace internal
-
+// A wrapper is of the nearest class that the sources include, so C++ knows what the object is.
 template <typename T>
 T *Object::cast_to(Object *p_object) {
-	return static_cast<T *>(internal::cast_by_name(p_object, T::get_class_static()));
+	return dynamic_cast<T *>(p_object);
 }
 
 template <typename T>
 const T *Object::cast_to(const Object *p_object) {
-	return static_cast<const T *>(internal::cast_by_name(p_object, T::get_class_static()));
+	return dynamic_cast<const T *>(p_object);
 }
 
 } // namespace godot

@@ -1,0 +1,5 @@
+extends Resource
+
+
+func shout() -> String:
+	return "NOTE"

@@ -1,0 +1,5 @@
+extends ProbeNode
+
+
+func twice() -> float:
+	return speed * 2
