@@ -114,6 +114,9 @@ public:
 	void warn(std::string_view id, std::string message, std::string hint = {});
 	bool has_failed() const { return _failed; }
 	SourcePlace place() const;
+	// Of the running instruction and different for each call in the source: hosts count uses of a call by it. Program::places[address() - 1] is its
+	// place.
+	uint32_t address() const { return _address; }
 	// The rule that runs, Invalid outside of rules.
 	RuleId running_rule() const;
 

@@ -1,0 +1,231 @@
+#include "core/agenda/agenda_generator.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "core/agenda/generation_context.h"
+
+namespace pcg {
+
+namespace {
+
+// Enough to keep threads busy, few enough to fit the cache; the same for any number of threads, or results would depend on it.
+constexpr size_t households_per_batch = 256;
+
+constexpr uint64_t agenda_stream = hash_text("agenda"); // keeps the rules' draws apart from those of the population
+
+// What one piece of work wrote; group numbers count from 0 in each batch.
+struct Batch {
+	std::vector<Task> tasks;
+	std::vector<uint32_t> task_counts; // by person
+	std::vector<FloatingTask> floating_tasks;
+	std::vector<uint32_t> floating_counts;
+	std::vector<Group> groups;
+	std::vector<Diagnostic> diagnostics;
+};
+
+class Generation {
+public:
+	Generation(const Program &program, const agenda::World &world, const Population &population, const AgendaOptions &options, RuleId start) :
+			_program(program), _world(world), _population(population), _options(options), _start(start) {
+		_batches.resize((population.households.size() + households_per_batch - 1) / households_per_batch);
+	}
+
+	bool run() {
+		return parallel_for(_batches.size(), _options.work, [this](size_t i) { fill(i); });
+	}
+
+	AgendaSet collect(Diagnostics &diagnostics) {
+		AgendaSet set;
+		set.first_task.reserve(_population.persons.size() + 1);
+		set.first_floating_task.reserve(_population.persons.size() + 1);
+		set.first_task.push_back(0);
+		set.first_floating_task.push_back(0);
+		std::vector<Place> warned;
+		for (Batch &batch : _batches) {
+			append(set, batch);
+			add_diagnostics(batch, warned, diagnostics);
+			batch = {};
+		}
+		// A cancelled generation leaves the rest without entries.
+		set.first_task.resize(_population.persons.size() + 1, uint32_t(set.tasks.size()));
+		set.first_floating_task.resize(_population.persons.size() + 1, uint32_t(set.floating_tasks.size()));
+		number_origins(set);
+		return set;
+	}
+
+private:
+	using Place = std::tuple<std::string_view, std::string, uint32_t, uint32_t>;
+
+	void fill(size_t index) {
+		Batch &batch = _batches[index];
+		agenda::GenerationContext context(_world);
+		Vm vm(_program, context, _options.limits);
+		for (const AttributeOverride &override_value : _options.overrides) {
+			vm.override_attribute(override_value.name, override_value.value);
+		}
+		const size_t first = index * households_per_batch;
+		const size_t end = std::min(first + households_per_batch, _population.households.size());
+		for (size_t i = first; i < end; ++i) {
+			run_household(vm, context, HouseholdId(uint32_t(i)));
+			keep(batch, context);
+		}
+		batch.diagnostics = std::move(context.diagnostics());
+	}
+
+	void run_household(Vm &vm, agenda::GenerationContext &context, HouseholdId id) {
+		const uint64_t seed = derive_seed(_options.seed ^ agenda_stream, index_of(id));
+		context.begin_household(id);
+		vm.begin(seed);
+		vm.call(_start);
+		if (!context.wants_single_days()) {
+			return;
+		}
+		// The same stream each day: what the household has drawn (its workplaces, say) is the same on all of them.
+		context.begin_household(id, DayMask(1));
+		for (int day = 0; day < 7; ++day) {
+			context.begin_days(DayMask(1u << day));
+			vm.begin(seed);
+			vm.call(_start);
+		}
+	}
+
+	static void keep(Batch &batch, agenda::GenerationContext &context) {
+		const uint32_t first_group = uint32_t(batch.groups.size());
+		for (size_t i = 0; i < context.member_count(); ++i) {
+			const PersonId member = context.member(i);
+			for (Task task : context.agenda_of(member).tasks()) {
+				task.target += task.kind == TaskKind::Accompany ? first_group : 0;
+				batch.tasks.push_back(task);
+			}
+			const std::vector<FloatingTask> &floating = context.floating_tasks_of(member);
+			batch.floating_tasks.insert(batch.floating_tasks.end(), floating.begin(), floating.end());
+			batch.task_counts.push_back(uint32_t(context.agenda_of(member).tasks().size()));
+			batch.floating_counts.push_back(uint32_t(floating.size()));
+		}
+		batch.groups.insert(batch.groups.end(), context.groups().begin(), context.groups().end());
+	}
+
+	static void append(AgendaSet &set, Batch &batch) {
+		const uint32_t first_group = uint32_t(set.groups.size());
+		for (Task &task : batch.tasks) {
+			task.target += task.kind == TaskKind::Accompany ? first_group : 0;
+			set.tasks.push_back(task);
+		}
+		set.floating_tasks.insert(set.floating_tasks.end(), batch.floating_tasks.begin(), batch.floating_tasks.end());
+		for (size_t i = 0; i < batch.task_counts.size(); ++i) {
+			set.first_task.push_back(set.first_task.back() + batch.task_counts[i]);
+			set.first_floating_task.push_back(set.first_floating_task.back() + batch.floating_counts[i]);
+		}
+		std::move(batch.groups.begin(), batch.groups.end(), std::back_inserter(set.groups));
+	}
+
+	// Batches come in order, so the warning that is kept is that of the first household.
+	static void add_diagnostics(Batch &batch, std::vector<Place> &warned, Diagnostics &diagnostics) {
+		for (Diagnostic &diagnostic : batch.diagnostics) {
+			if (diagnostic.severity == Severity::Warning) {
+				Place place{ diagnostic.id, diagnostic.file, diagnostic.line, diagnostic.column };
+				if (std::find(warned.begin(), warned.end(), place) != warned.end()) {
+					continue;
+				}
+				warned.push_back(std::move(place));
+			}
+			diagnostics.add(std::move(diagnostic));
+		}
+	}
+
+	// Addresses in the program become dense numbers in the order of the program.
+	void number_origins(AgendaSet &set) const {
+		std::vector<uint32_t> number_of(_program.code.size() + 1, 0);
+		for (const Task &task : set.tasks) {
+			number_of[task.origin] = 1;
+		}
+		for (uint32_t address = 0; address < number_of.size(); ++address) {
+			if (number_of[address] != 0) {
+				number_of[address] = uint32_t(set.origins.size());
+				set.origins.push_back(origin_at(address));
+			}
+		}
+		for (Task &task : set.tasks) {
+			task.origin = number_of[task.origin];
+		}
+	}
+
+	// The rule around a call is the last one that begins before it in the same file.
+	TaskOrigin origin_at(uint32_t address) const {
+		const SourcePlace place = _program.places[address > 0 ? address - 1 : 0];
+		const auto position = [](const SourcePlace &at) { return std::tie(at.line, at.column); };
+		const RuleInfo *rule = nullptr;
+		for (const RuleInfo &candidate : _program.rules) {
+			if (candidate.place.file == place.file && !(position(place) < position(candidate.place)) &&
+					(rule == nullptr || position(rule->place) < position(candidate.place))) {
+				rule = &candidate;
+			}
+		}
+		return { rule != nullptr ? rule->name : std::string(), place.file < _program.files.size() ? _program.files[place.file] : std::string(),
+			place.line };
+	}
+
+	const Program &_program;
+	const agenda::World &_world;
+	const Population &_population;
+	const AgendaOptions &_options;
+	RuleId _start;
+	std::vector<Batch> _batches;
+};
+
+AgendaSet empty_agendas(const Population &population) {
+	AgendaSet set;
+	set.first_task.assign(population.persons.size() + 1, 0);
+	set.first_floating_task.assign(population.persons.size() + 1, 0);
+	return set;
+}
+
+RuleId find_start(const Program &program, const AgendaOptions &options, Diagnostics &diagnostics) {
+	const RuleId start = options.start_rule.empty() ? program.start_rule : program.find_rule(options.start_rule);
+	if (!is_valid(start)) {
+		diagnostics.error("no-start-rule",
+				options.start_rule.empty() ? "the rules mark no rule as the start" : "the rules have no rule '" + options.start_rule + "' without parameters",
+				"write @StartRule before the rule that a household begins with");
+	}
+	return start;
+}
+
+// What a Vm would say of every household is said once.
+bool check_overrides(const Program &program, const AgendaOptions &options, Diagnostics &diagnostics) {
+	bool is_good = true;
+	for (const AttributeOverride &override_value : options.overrides) {
+		const int index = program.find_attribute(override_value.name);
+		if (index < 0 || program.attributes[size_t(index)].kind == AttributeInfo::Kind::Constant) {
+			std::vector<std::string_view> names;
+			for (const AttributeInfo &attribute : program.attributes) {
+				names.push_back(attribute.name);
+			}
+			const std::string_view closest = index < 0 ? closest_name(override_value.name, names) : std::string_view();
+			diagnostics.error("unknown-attribute",
+					"'" + override_value.name + (index < 0 ? "' is no attribute of the rules" : "' is const in the rules and cannot be set"),
+					closest.empty() ? std::string() : "did you mean '" + std::string(closest) + "'?");
+			is_good = false;
+		}
+	}
+	return is_good;
+}
+
+} // namespace
+
+AgendaSet generate_agendas(const Program &program, const CityModel &city, const PathProvider &paths, const Population &population,
+		const AgendaOptions &options, Diagnostics &diagnostics) {
+	const RuleId start = find_start(program, options, diagnostics);
+	if (!is_valid(start) || !check_overrides(program, options, diagnostics)) {
+		return empty_agendas(population);
+	}
+	const agenda::World world = agenda::make_world(program, city, paths, population);
+	Generation generation(program, world, population, options, start);
+	if (!generation.run()) {
+		diagnostics.warning("cancelled", "the generation of agendas was cancelled; some households have none");
+		return empty_agendas(population);
+	}
+	return generation.collect(diagnostics);
+}
+
+} // namespace pcg

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/agenda/agenda.h"
+#include "core/base/diagnostic.h"
+#include "core/base/parallel.h"
+#include "core/lang/program.h"
+#include "core/lang/vm.h"
+#include "core/population/population.h"
+#include "core/ports/path_provider.h"
+#include "core/semantics/city_model.h"
+
+namespace pcg {
+
+// A value for an `attr` or a plain name of the rule set, from the editor or the command line.
+struct AttributeOverride {
+	std::string name;
+	Value value; // texts have to live as long as the generation
+};
+
+struct AgendaOptions {
+	uint64_t seed = 1;
+	std::string start_rule; // empty: the one marked @StartRule
+	std::vector<AttributeOverride> overrides;
+	VmLimits limits{ 1000, 2'000'000, 32'768 }; // per household
+	WorkOptions work;
+};
+
+// Writes everybody's agenda: the start rule once for each household, nobody focused (paper, Algorithm 1). Households are independent and
+// draw from streams of (seed, household), so the result does not depend on the number of threads. A household whose rules fail keeps
+// what was written until then. Errors and warnings name the household; a warning is told once for each place in the rules.
+// `paths` has to answer from several threads at once.
+AgendaSet generate_agendas(const Program &program, const CityModel &city, const PathProvider &paths, const Population &population,
+		const AgendaOptions &options, Diagnostics &diagnostics);
+
+} // namespace pcg

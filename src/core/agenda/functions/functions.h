@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string_view>
+
+#include "core/agenda/context.h"
+#include "core/lang/dialect.h"
+
+// Rows of the dialect, by what they ask (PCG language, sections 3 and 4).
+namespace pcg::agenda {
+
+void add_variables(Dialect &dialect); // home gender age person.id household.id day time
+void add_building_functions(Dialect &dialect); // getDistance getDistanceInTime findBuilding findNearestBuilding isValid
+void add_object_functions(Dialect &dialect); // findObject
+void add_member_functions(Dialect &dialect); // count chooseMember
+
+// The type that a text names; where the city does not know it a warning with the closest name, and Invalid.
+TypeId find_type_or_warn(Vm &vm, const Value &text, std::string_view what);
+
+} // namespace pcg::agenda

@@ -1,0 +1,128 @@
+#include "core/agenda/generation_context.h"
+
+#include <bit>
+#include <cmath>
+#include <string>
+
+namespace pcg::agenda {
+
+namespace {
+
+constexpr double day_seconds = 86'400.0;
+constexpr double week_seconds = 7.0 * day_seconds;
+constexpr size_t max_entries = 4096; // of one person; real days have a few dozen
+constexpr size_t max_floating_tasks = 4096;
+
+} // namespace
+
+void GenerationContext::begin_household(HouseholdId id, DayMask days) {
+	set_household(id);
+	if (_members.size() < member_count()) {
+		_members.resize(member_count());
+	}
+	for (size_t i = 0; i < member_count(); ++i) {
+		_members[i].agenda.clear();
+		_members[i].floating.clear();
+	}
+	_groups.clear();
+	begin_days(days);
+}
+
+void GenerationContext::begin_days(DayMask days) {
+	set_focus(PersonId::Invalid);
+	_days = days;
+	_wants_single_days = false;
+}
+
+Flow GenerationContext::insert(Vm &vm, std::string_view operation, TaskKind kind, double start, double end, uint32_t target) {
+	if (!require_focus(vm, operation)) {
+		return Flow::Stop;
+	}
+	const std::string name = "'" + std::string(operation) + "'";
+	if (!std::isfinite(start) || !std::isfinite(end)) {
+		vm.warn("time-not-finite", name + " has a time that is not finite, so nothing is inserted",
+				"the distance to a building that cannot be reached is infinite: test it with isValid(..) or a comparison first");
+		return Flow::Next;
+	}
+	if (std::abs(start) > week_seconds) {
+		vm.warn("time-out-of-range", name + " starts more than a week away, so nothing is inserted", "times are seconds from 0h of the day");
+		return Flow::Next;
+	}
+	if (start >= end) {
+		vm.warn("no-length", name + " would end before it starts, so nothing is inserted", "the first time has to be before the second");
+		return Flow::Next;
+	}
+	if (end - start > day_seconds) {
+		vm.warn("longer-than-a-day", name + " lasts longer than 24 h and is cut there", "write one entry for each day");
+		end = start + day_seconds;
+	}
+	Task task;
+	task.start_ms = int32_t(Duration::seconds(start).ms);
+	task.end_ms = int32_t(Duration::seconds(end).ms);
+	task.kind = kind;
+	task.target = target;
+	task.days = _days;
+	task.origin = vm.address();
+	return insert_task(vm, focus(), task) ? Flow::Next : Flow::Stop;
+}
+
+bool GenerationContext::insert_task(Vm &vm, PersonId member, Task task) {
+	Agenda &agenda = agenda_of(member);
+	agenda.insert(task);
+	if (agenda.tasks().size() <= max_entries) {
+		return true;
+	}
+	vm.fail("agenda-too-long", "the agenda of person " + std::to_string(index_of(member)) + " has more than " + std::to_string(max_entries) + " entries",
+			"does a rule call itself without end?");
+	return false;
+}
+
+void GenerationContext::add_floating_task(Vm &vm, FloatingTask task) {
+	std::vector<FloatingTask> &tasks = _members[index_in_household(focus())].floating;
+	if (tasks.size() >= max_floating_tasks) {
+		vm.fail("pool-too-large", "person " + std::to_string(index_of(focus())) + " has more than " + std::to_string(max_floating_tasks) + " floating tasks",
+				"does a rule call itself without end?");
+		return;
+	}
+	tasks.push_back(task);
+}
+
+uint32_t GenerationContext::add_group(Group group) {
+	_groups.push_back(std::move(group));
+	return uint32_t(_groups.size() - 1);
+}
+
+Value GenerationContext::day(Vm &vm) {
+	if (std::popcount(_days) == 1) {
+		return Value::of(double(std::countr_zero(_days)));
+	}
+	_wants_single_days = true;
+	return vm.fail("day-of-many", "the rules write several days at once here");
+}
+
+Value GenerationContext::time(Vm &vm) {
+	return vm.fail("no-time", "'time' is known in delayed rules only, while the simulation runs", "agendas are written before any day begins");
+}
+
+bool GenerationContext::present_position(glm::vec3 &position) const {
+	const BuildingId home = household().home;
+	if (!is_valid(home)) {
+		return false;
+	}
+	const EntranceId entrance = city().entrance_of(home);
+	if (!is_valid(entrance)) {
+		return false;
+	}
+	position = city().entrance(entrance).position;
+	return true;
+}
+
+void GenerationContext::report(Diagnostic diagnostic) {
+	if (_wants_single_days) {
+		return; // the run that asked for the day ends, and starts again for each day
+	}
+	diagnostic.message = "household " + std::to_string(index_of(household_id())) + ": " + diagnostic.message;
+	_diagnostics.push_back(std::move(diagnostic));
+}
+
+} // namespace pcg::agenda

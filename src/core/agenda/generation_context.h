@@ -1,0 +1,66 @@
+#pragma once
+
+#include <vector>
+
+#include "core/agenda/agenda.h"
+#include "core/agenda/context.h"
+
+namespace pcg::agenda {
+
+// Writes the agendas of one household after the other (paper, Algorithm 1). Buffers are kept between households.
+class GenerationContext final : public Context {
+public:
+	using Context::Context;
+
+	// Forgets what was written and starts on this household. Entries apply to `days` only.
+	void begin_household(HouseholdId id, DayMask days = all_days);
+	// Starts the same household again for other days, keeping what was written.
+	void begin_days(DayMask days);
+	// The rules asked which day it is while they wrote several: they have to be run once for each (see `day`).
+	bool wants_single_days() const { return _wants_single_days; }
+
+	DayMask days() const { return _days; }
+	void set_days(DayMask days) { _days = days; }
+	Agenda &agenda_of(PersonId member) { return _members[index_in_household(member)].agenda; }
+	const std::vector<FloatingTask> &floating_tasks_of(PersonId member) const { return _members[index_in_household(member)].floating; }
+	const std::vector<Group> &groups() const { return _groups; }
+	std::vector<Diagnostic> &diagnostics() { return _diagnostics; }
+
+	// An entry for the focused person on the days that hold here; times in seconds. What cannot hold is a warning at the place of the call.
+	// Fails the run if nobody is focused. Origins are addresses in the program until all households are done.
+	Flow insert(Vm &vm, std::string_view operation, TaskKind kind, double start, double end, uint32_t target);
+	// Fails the run when an agenda grows beyond any sense.
+	bool insert_task(Vm &vm, PersonId member, Task task);
+	void add_floating_task(Vm &vm, FloatingTask task);
+	uint32_t add_group(Group group);
+
+	bool is_simulating() const override { return false; }
+	// Within days("sat") {..} that day. Where several days are written at once the household is run again, once for each day.
+	Value day(Vm &vm) override;
+	Value time(Vm &vm) override;
+	bool present_position(glm::vec3 &position) const override;
+	bool has_free_place(ObjectId) const override { return true; }
+	void report(Diagnostic diagnostic) override;
+
+private:
+	struct Member {
+		Agenda agenda;
+		std::vector<FloatingTask> floating;
+	};
+
+	size_t index_in_household(PersonId member) const { return index_of(member) - index_of(household().first_member); }
+
+	std::vector<Member> _members; // at least as many as the household has
+	std::vector<Group> _groups;
+	std::vector<Diagnostic> _diagnostics;
+	DayMask _days = all_days;
+	bool _wants_single_days = false;
+};
+
+// The context behind an operation that writes agendas, or null where such operations are disregarded (in delayed rules).
+inline GenerationContext *writing_context(Vm &vm) {
+	Context &context = context_of(vm);
+	return context.is_simulating() ? nullptr : static_cast<GenerationContext *>(&context);
+}
+
+} // namespace pcg::agenda

@@ -1,0 +1,164 @@
+#include "core/io/agenda_csv.h"
+
+#include <array>
+#include <cstdio>
+#include <functional>
+
+#include "core/io/atomic_file.h"
+#include "core/io/csv.h"
+
+namespace pcg {
+
+namespace {
+
+constexpr std::array<std::string_view, 7> day_names{ "mon", "tue", "wed", "thu", "fri", "sat", "sun" };
+constexpr size_t buffer_size = 1 << 20;
+
+std::string_view kind_name(TaskKind kind) {
+	switch (kind) {
+		case TaskKind::StayInside:
+			return "stayInside";
+		case TaskKind::GoToBuilding:
+			return "goToBuilding";
+		case TaskKind::Accompany:
+			return "accompany";
+		case TaskKind::DelayedRule:
+			return "delayedRule";
+		case TaskKind::FloatingSlot:
+			return "floatingSlot";
+	}
+	return {};
+}
+
+// Seconds with as many digits behind the point as they need: 28800, 28712.5.
+std::string seconds_text(int32_t ms) {
+	char text[32];
+	std::snprintf(text, sizeof(text), "%.3f", double(ms) / 1000.0);
+	std::string seconds = text;
+	while (seconds.back() == '0') {
+		seconds.pop_back();
+	}
+	if (seconds.back() == '.') {
+		seconds.pop_back();
+	}
+	return seconds;
+}
+
+template <typename Id> std::string id_text(Id id, const FileIds *ids) {
+	if (!is_valid(id)) {
+		return "-1";
+	}
+	return std::to_string(ids != nullptr ? ids->number_of(index_of(id)) : int64_t(index_of(id)));
+}
+
+class Writer {
+public:
+	Writer(const AgendaSet &agendas, const Population &population, const Program &program, const AgendaCsvIds &ids,
+			std::function<void(std::string_view)> sink) :
+			_agendas(agendas), _population(population), _program(program), _ids(ids), _sink(std::move(sink)) {}
+
+	void write(std::optional<int> weekday) {
+		_text = "household,person,age,gender,day,start,end,kind,target,detail\n";
+		for (uint32_t i = 0; i < _population.persons.size() && i < _agendas.person_count(); ++i) {
+			for (int day = 0; day < 7; ++day) {
+				if (!weekday || *weekday == day) {
+					write_day(PersonId(i), day);
+				}
+			}
+			if (_text.size() > buffer_size) {
+				flush();
+			}
+		}
+		flush();
+	}
+
+private:
+	void flush() {
+		_sink(_text);
+		_text.clear();
+	}
+
+	void write_day(PersonId id, int day) {
+		for (const Task &task : _agendas.tasks_of(id)) {
+			if ((task.days >> day) & 1) {
+				begin_row(id, day);
+				_text += seconds_text(task.start_ms) + "," + seconds_text(task.end_ms) + ",";
+				_text += std::string(kind_name(task.kind)) + "," + target_text(task) + "," + csv_quoted(detail_text(task)) + "\n";
+			}
+		}
+		for (const FloatingTask &task : _agendas.floating_tasks_of(id)) {
+			if ((task.days >> day) & 1) {
+				begin_row(id, day);
+				char priority[32];
+				std::snprintf(priority, sizeof(priority), "%g", double(task.priority));
+				_text += "," + seconds_text(task.duration_ms) + ",floatingTask,," +
+						csv_quoted(rule_name(index_of(task.rule)) + " priority " + priority) + "\n";
+			}
+		}
+	}
+
+	void begin_row(PersonId id, int day) {
+		const Person &person = _population.person(id);
+		char age[32];
+		std::snprintf(age, sizeof(age), "%g", double(person.age));
+		_text += id_text(person.household, _ids.households) + "," + id_text(id, _ids.persons) + "," + age;
+		_text += person.gender == Gender::Woman ? ",w," : ",m,";
+		_text += std::string(day_names[size_t(day)]) + ",";
+	}
+
+	std::string target_text(const Task &task) const {
+		switch (task.kind) {
+			case TaskKind::StayInside:
+			case TaskKind::GoToBuilding:
+				return id_text(BuildingId(task.target), _ids.buildings);
+			case TaskKind::Accompany:
+				return id_text(_agendas.groups[task.target].goal, _ids.buildings);
+			case TaskKind::DelayedRule:
+			case TaskKind::FloatingSlot:
+				break;
+		}
+		return {};
+	}
+
+	std::string detail_text(const Task &task) const {
+		if (task.kind == TaskKind::DelayedRule) {
+			return rule_name(task.target);
+		}
+		if (task.kind != TaskKind::Accompany) {
+			return {};
+		}
+		const Group &group = _agendas.groups[task.target];
+		std::string text = "leader " + id_text(group.leader, _ids.persons) + " joiners";
+		for (PersonId joiner : group.joiners) {
+			text += " " + id_text(joiner, _ids.persons);
+		}
+		return text;
+	}
+
+	std::string rule_name(uint32_t rule) const { return rule < _program.rules.size() ? _program.rules[rule].name : std::string(); }
+
+	const AgendaSet &_agendas;
+	const Population &_population;
+	const Program &_program;
+	const AgendaCsvIds &_ids;
+	std::function<void(std::string_view)> _sink;
+	std::string _text;
+};
+
+} // namespace
+
+bool write_agendas(const std::string &path, const AgendaSet &agendas, const Population &population, const Program &program,
+		const AgendaCsvIds &ids, std::optional<int> weekday, Diagnostics &diagnostics) {
+	AtomicFile file(path);
+	Writer(agendas, population, program, ids, [&](std::string_view bytes) { file.write(bytes); }).write(weekday);
+	return file.commit(diagnostics);
+}
+
+std::string agendas_to_csv(const AgendaSet &agendas, const Population &population, const Program &program, const AgendaCsvIds &ids,
+		std::optional<int> weekday) {
+	std::string text;
+	Writer(agendas, population, program, ids, [&](std::string_view bytes) { text += bytes; }).write(weekday);
+	return text;
+}
+
+} // namespace pcg
