@@ -39,7 +39,7 @@ DistanceCache::DistanceCache(size_t building_count) : _slots(slot_count(building
 double DistanceCache::round(double metres) { return to_metres(to_centimetres(metres)); }
 
 uint64_t DistanceCache::key_of(BuildingId a, BuildingId b) {
-	const auto [low, high] = std::minmax(index_of(a), index_of(b));
+	const auto [low, high] = std::minmax({ index_of(a), index_of(b) });
 	return high < max_buildings ? uint64_t(low) << 20 | high : empty;
 }
 

@@ -1,0 +1,120 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "core/city/free_ground.h"
+#include "core/city/walkable.h"
+#include "core/navigation/nav_mesh_paths.h"
+
+using namespace pcg;
+
+namespace {
+
+// A city without rules: every lot is a lawn.
+City empty_city(const LayoutParameters &parameters) {
+	Diagnostics diagnostics;
+	City city;
+	city.layout = *make_layout(parameters, diagnostics);
+	city.lots.resize(city.layout.lots.size());
+	for (size_t i = 0; i < city.lots.size(); ++i) {
+		city.lots[i].free_ground = free_ground(city.layout.lots[i], Mesh());
+	}
+	return city;
+}
+
+void build_over(City &city, LotId lot) { city.lots[index_of(lot)].free_ground.clear(); }
+
+// A door in the middle of the lot's front.
+void add_door(City &city, LotId lot) {
+	Entrance entrance;
+	entrance.building = city.model.add_building(lot);
+	entrance.type = city.model.types.add("house");
+	const std::vector<glm::vec3> &polygon = city.layout.lot(lot).polygon;
+	entrance.position = (polygon[0] + polygon[1]) / 2.0f;
+	city.model.add_entrance(entrance);
+}
+
+double triangle_area(const std::vector<glm::vec3> &triangles) {
+	double sum = 0.0;
+	for (size_t i = 0; i + 2 < triangles.size(); i += 3) {
+		sum += double(glm::cross(triangles[i + 1] - triangles[i], triangles[i + 2] - triangles[i]).y) / 2.0;
+	}
+	return sum;
+}
+
+} // namespace
+
+TEST_CASE("the ground handed to a baker covers the block's cell and its border, and looks upwards") {
+	const City city = empty_city(layout_for_lots(1));
+	const BlockSource source = block_source_faces(city, BlockId(0), 2.0f);
+	CHECK(source.min == city.layout.min);
+	CHECK(source.max == city.layout.max);
+	const glm::vec3 size = city.layout.max - city.layout.min;
+	CHECK(triangle_area(source.triangles) == doctest::Approx(double(size.x) * size.z));
+}
+
+TEST_CASE("a baker is given no ground where a building stands") {
+	City city = empty_city(layout_for_lots(4));
+	const double before = triangle_area(block_source_faces(city, BlockId(0), 2.0f).triangles);
+	build_over(city, LotId(2));
+	CHECK(before - triangle_area(block_source_faces(city, BlockId(0), 2.0f).triangles) == doctest::Approx(400.0));
+}
+
+TEST_CASE("a block of a large city is given its surroundings only") {
+	const City city = empty_city(layout_for_lots(300));
+	const BlockSource source = block_source_faces(city, BlockId(7), 2.0f);
+	CHECK(source.triangles.size() < 3 * 2 * 80);
+	for (const glm::vec3 &corner : source.triangles) {
+		CHECK(corner.x > source.min.x - 120.0f);
+		CHECK(corner.x < source.max.x + 120.0f);
+	}
+}
+
+TEST_CASE("all streets, pavements and lots of a city are connected") {
+	for (uint32_t lots : { 1u, 7u, 40u, 300u }) {
+		const City city = empty_city(layout_for_lots(lots));
+		const NavMesh mesh = city_nav_mesh(city);
+		CHECK(mesh.component_count() == 1);
+		const glm::vec3 size = city.layout.max - city.layout.min;
+		CHECK(mesh.component_area(0) == doctest::Approx(double(size.x) * size.z));
+	}
+}
+
+TEST_CASE("people cross streets at crossings and keep to the pavements") {
+	LayoutParameters parameters;
+	parameters.blocks_x = 2;
+	parameters.blocks_z = 1;
+	City city = empty_city(parameters);
+	for (size_t i = 0; i < city.lots.size(); ++i) {
+		build_over(city, LotId(i));
+	}
+	const NavMesh mesh = city_nav_mesh(city);
+	PathFinder finder(mesh);
+	// From one block's eastern pavement to the next block's western one, 5 m north of a crossing: straight over the street it would be 11 m.
+	const float z = 15.0f;
+	const NavPoint from = mesh.nearest({ -5.5f, 0, z }, 1), to = mesh.nearest({ 5.5f, 0, z }, 1);
+	REQUIRE(finder.find(from, to));
+	for (size_t i = 1; i < finder.points().size(); ++i) {
+		for (int k = 0; k <= 20; ++k) {
+			const glm::vec3 p = glm::mix(finder.points()[i - 1], finder.points()[i], float(k) / 20.0f);
+			const bool is_on_carriageway = std::abs(p.x) < 3.9f && std::abs(p.z) < 19.9f;
+			CHECK_FALSE(is_on_carriageway);
+		}
+	}
+}
+
+TEST_CASE("an entrance that cannot be reached is a warning that names the lot") {
+	LayoutParameters parameters = layout_for_lots(3);
+	parameters.land_use = { { "house", 1.0 } };
+	City city = empty_city(parameters);
+	add_door(city, LotId(0));
+	Diagnostics diagnostics;
+	report_unreachable(city, city_nav_mesh(city), diagnostics);
+	CHECK(diagnostics.is_empty());
+	city.model.move_entrance(EntranceId(0), { 0, 0, 500 }, { 0, 0, 1 });
+	report_unreachable(city, city_nav_mesh(city), diagnostics);
+	REQUIRE(diagnostics.warning_count() == 1);
+	CHECK(diagnostics.list()[0].message.find("lot 0 (house)") == 0);
+}
