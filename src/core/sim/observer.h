@@ -90,7 +90,7 @@ public:
 	virtual ~SimulationObserver() = default;
 	virtual void on_event(const SimEvent &) {}
 	virtual void on_lived(const LivedSpan &) {}
-	// All spans end; what follows belongs to a life from `to` on.
+	// Everybody was placed anew, by a time jump or, with `from` equal to `to`, by the start; what follows belongs to a life from `to` on.
 	virtual void on_jump(SimTime /*from*/, SimTime /*to*/) {}
 };
 

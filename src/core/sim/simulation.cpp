@@ -29,6 +29,9 @@ void Simulation::start(SimTime time) {
 	_has_started = true;
 	take_in_city_edits();
 	place_everybody(time);
+	for (SimulationObserver *observer : _observers) {
+		observer->on_jump(time, time);
+	}
 	show_everybody();
 }
 

@@ -166,7 +166,9 @@ void Simulation::wait_for_pending(Party &party) {
 	const PersonRecord leader = record(party.leader); // as it is before it goes in
 	if (leader.state == PersonState::Waiting && is_valid(leader.target().building())) {
 		for (PersonId member : party.collected) {
-			enter_building(member, leader.target().building(), leader.position);
+			if (is_outside(member)) { // those who were met here have not left yet
+				enter_building(member, leader.target().building(), leader.position);
+			}
 		}
 		enter_building(party.leader, leader.target().building(), leader.position);
 	}

@@ -12,7 +12,7 @@ double Walk::metres_at(SimTime time) const {
 
 glm::vec3 Walk::position_at(SimTime time) const { return point_along(points, metres_at(time)); }
 
-glm::vec3 point_along(const std::vector<glm::vec3> &points, double metres, glm::vec3 *direction) {
+glm::vec3 point_along(std::span<const glm::vec3> points, double metres, glm::vec3 *direction) {
 	double left = metres;
 	for (size_t i = 0; i + 1 < points.size(); ++i) {
 		const double length = double(glm::distance(points[i], points[i + 1]));
@@ -29,7 +29,7 @@ glm::vec3 point_along(const std::vector<glm::vec3> &points, double metres, glm::
 	return points.empty() ? glm::vec3(0.0f) : points.back();
 }
 
-double path_length(const std::vector<glm::vec3> &points) {
+double path_length(std::span<const glm::vec3> points) {
 	double sum = 0.0;
 	for (size_t i = 0; i + 1 < points.size(); ++i) {
 		sum += double(glm::distance(points[i], points[i + 1]));

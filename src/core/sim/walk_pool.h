@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -23,8 +24,8 @@ struct Walk {
 };
 
 // The point `metres` along the path, clamped to its ends; `direction`, if wanted, gets the unit direction there.
-glm::vec3 point_along(const std::vector<glm::vec3> &points, double metres, glm::vec3 *direction = nullptr);
-double path_length(const std::vector<glm::vec3> &points);
+glm::vec3 point_along(std::span<const glm::vec3> points, double metres, glm::vec3 *direction = nullptr);
+double path_length(std::span<const glm::vec3> points);
 
 // Walks exist only while somebody walks them; slots are used again.
 class WalkPool {

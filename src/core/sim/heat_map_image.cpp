@@ -1,0 +1,116 @@
+#include "core/sim/heat_map_image.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pcg {
+
+namespace {
+
+using Color = std::array<float, 3>;
+
+constexpr Color ground{ 255, 255, 255 };
+constexpr Color footprint{ 222, 222, 222 };
+// "inferno" of matplotlib (Smith and van der Walt, CC0), from its light end to its dark one.
+constexpr std::array<Color, 8> ramp{ Color{ 252, 255, 164 }, Color{ 250, 193, 39 }, Color{ 245, 125, 21 },
+	Color{ 212, 72, 66 }, Color{ 159, 42, 99 }, Color{ 101, 21, 110 }, Color{ 40, 11, 84 }, Color{ 0, 0, 4 } };
+constexpr float fully_covered = 0.08f; // heat from which on the ground does not show through
+
+Color mix(Color a, Color b, float share) {
+	return { a[0] + (b[0] - a[0]) * share, a[1] + (b[1] - a[1]) * share, a[2] + (b[2] - a[2]) * share };
+}
+
+Color ramp_color(float heat) {
+	const float place = std::clamp(heat, 0.0f, 1.0f) * float(ramp.size() - 1);
+	const size_t i = std::min(size_t(place), ramp.size() - 2);
+	return mix(ramp[i], ramp[i + 1], place - float(i));
+}
+
+void set_pixel(RgbImage &image, size_t pixel, Color color) {
+	for (size_t channel = 0; channel < 3; ++channel) {
+		image.pixels[pixel * 3 + channel] = uint8_t(std::lround(color[channel]));
+	}
+}
+
+// Even-odd scan conversion at pixel centres.
+void fill_polygon(RgbImage &image, const HeatGrid &grid, const GroundPolygon &polygon, float pixel_size) {
+	std::vector<float> crossings;
+	for (uint32_t y = 0; y < image.height; ++y) {
+		const float z = grid.origin.y + (float(y) + 0.5f) * pixel_size;
+		crossings.clear();
+		for (size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+			if ((polygon[i].z > z) != (polygon[j].z > z)) {
+				const float share = (z - polygon[i].z) / (polygon[j].z - polygon[i].z);
+				crossings.push_back(polygon[i].x + (polygon[j].x - polygon[i].x) * share);
+			}
+		}
+		std::sort(crossings.begin(), crossings.end());
+		for (size_t i = 0; i + 1 < crossings.size(); i += 2) {
+			const float from = std::ceil((crossings[i] - grid.origin.x) / pixel_size - 0.5f);
+			const float to = std::floor((crossings[i + 1] - grid.origin.x) / pixel_size - 0.5f);
+			for (float x = std::max(from, 0.0f); x <= std::min(to, float(image.width - 1)); ++x) {
+				set_pixel(image, size_t(y) * image.width + size_t(x), footprint);
+			}
+		}
+	}
+}
+
+// One pass of (1 2 1) / 4 along both axes: takes the stairs off diagonal walks.
+std::vector<double> smoothed(const std::vector<double> &cells, uint32_t columns, uint32_t rows) {
+	std::vector<double> result = cells;
+	const auto pass = [&](size_t stride, uint32_t count, uint32_t lines, size_t line_stride) {
+		const std::vector<double> source = result;
+		for (uint32_t line = 0; line < lines; ++line) {
+			for (uint32_t i = 0; i < count; ++i) {
+				const size_t here = line * line_stride + i * stride;
+				const double before = source[i > 0 ? here - stride : here];
+				const double after = source[i + 1 < count ? here + stride : here];
+				result[here] = (before + 2.0 * source[here] + after) / 4.0;
+			}
+		}
+	};
+	pass(1, columns, rows, columns);
+	pass(columns, rows, columns, 1);
+	return result;
+}
+
+double darkest_of(std::vector<double> cells) {
+	std::erase_if(cells, [](double seconds) { return seconds <= 0.0; });
+	if (cells.empty()) {
+		return 1.0;
+	}
+	const size_t rank = std::min(cells.size() - 1, size_t(double(cells.size()) * 0.995));
+	std::nth_element(cells.begin(), cells.begin() + long(rank), cells.end());
+	return cells[rank];
+}
+
+} // namespace
+
+RgbImage draw_heat_map(const HeatMap &map, std::span<const GroundPolygon> footprints, const HeatMapStyle &style) {
+	const HeatGrid &grid = map.grid();
+	const uint32_t scale = std::clamp(style.pixels_per_cell, 1u, 16u);
+	RgbImage image{ grid.columns * scale, grid.rows * scale, {} };
+	image.pixels.resize(size_t(image.width) * image.height * 3);
+	for (size_t pixel = 0; pixel < image.pixels.size() / 3; ++pixel) {
+		set_pixel(image, pixel, ground);
+	}
+	for (const GroundPolygon &polygon : footprints) {
+		fill_polygon(image, grid, polygon, grid.cell / float(scale));
+	}
+	const std::vector<double> cells = smoothed(map.person_seconds(), grid.columns, grid.rows);
+	const double darkest = style.darkest > 0.0 ? style.darkest : darkest_of(cells);
+	for (size_t pixel = 0; pixel < image.pixels.size() / 3; ++pixel) {
+		const size_t x = pixel % image.width / scale;
+		const size_t y = pixel / image.width / scale;
+		const float heat = float(std::sqrt(std::min(cells[y * grid.columns + x] / darkest, 1.0)));
+		if (heat > 0.0f) {
+			const uint8_t *old = &image.pixels[pixel * 3];
+			const Color below{ float(old[0]), float(old[1]), float(old[2]) };
+			set_pixel(image, pixel, mix(below, ramp_color(heat), std::min(heat / fully_covered, 1.0f)));
+		}
+	}
+	return image;
+}
+
+} // namespace pcg

@@ -1,0 +1,62 @@
+#include <doctest/doctest.h>
+
+#include "core/sim/heat_map.h"
+#include "core/sim/heat_map_image.h"
+#include "tests/core/sim/town.h"
+
+using namespace pcg;
+using namespace pcg::test;
+
+TEST_CASE("a heat map holds every second that somebody spent outdoors, where it was spent") {
+	Town town;
+	const BuildingId home = town.building("house", 1.0f, 1.0f);
+	const BuildingId work = town.building("workplace", 101.0f, 1.0f);
+	town.household(home);
+	const PersonId ana = town.person(40.0f, 1.0f);
+	const PersonId leo = town.person(8.0f, 1.0f);
+	town.go(ana, at(8), at(16), work);
+	town.go(leo, at(8), at(16), work);
+	Simulation &simulation = town.simulate();
+	HeatGrid grid{ { 0.0f, 0.0f }, 2.0f, 60, 2 };
+	HeatMap all(grid);
+	HeatMap children(grid, [&](PersonId id) { return town.population.person(id).age < 18.0f; });
+	simulation.add_observer(all);
+	simulation.add_observer(children);
+	simulation.start(moment(0, 0));
+	simulation.advance_to(moment(1, 0));
+	CHECK(all.total() == doctest::Approx(400.0)); // two persons, two walks of 100 s
+	CHECK(children.total() == doctest::Approx(200.0));
+	CHECK(all.person_seconds()[25] == doctest::Approx(8.0)); // 2 m at 1 m/s, four times
+	CHECK(all.person_seconds()[60] == 0.0);
+}
+
+TEST_CASE("the grid covers the whole city and keeps to its limit") {
+	Town town;
+	town.building("house", -500.0f, 10.0f);
+	town.building("house", 1500.0f, 300.0f);
+	const HeatGrid grid = grid_over(town.city, 20.0f, 1.0f, 1000);
+	CHECK(grid.origin.x == -520.0f);
+	CHECK(grid.columns <= 1000);
+	CHECK(grid.origin.x + float(grid.columns) * grid.cell >= 1520.0f);
+	CHECK(grid_over(CityModel(), 20.0f, 1.0f, 100).cell_count() > 0);
+}
+
+TEST_CASE("the picture is white ground, grey footprints, and darker where more time was spent") {
+	HeatMap map({ { 0.0f, 0.0f }, 1.0f, 40, 10 });
+	LivedSpan span;
+	span.state = PersonState::Waiting;
+	span.end = SimTime{ 1000 };
+	span.position = { 30.5f, 0.0f, 5.5f };
+	map.on_lived(span);
+	span.end = SimTime{ 100'000 };
+	span.position = { 20.5f, 0.0f, 5.5f };
+	map.on_lived(span);
+	const GroundPolygon house{ { 2.0f, 0.0f, 2.0f }, { 8.0f, 0.0f, 2.0f }, { 8.0f, 0.0f, 8.0f }, { 2.0f, 0.0f, 8.0f } };
+	const RgbImage image = draw_heat_map(map, { &house, 1 }, { .pixels_per_cell = 1 });
+	const auto red = [&](int x, int y) { return int(image.pixels[size_t(y * 40 + x) * 3]); };
+	CHECK(image.width == 40);
+	CHECK(red(0, 0) == 255);
+	CHECK(red(5, 5) == 222);
+	CHECK(red(20, 5) < 20); // the darkest
+	CHECK(red(30, 5) > red(20, 5));
+}

@@ -1,0 +1,183 @@
+#include <doctest/doctest.h>
+
+#include "core/base/random.h"
+#include "core/sim/invariants.h"
+#include "core/sim/lived_log.h"
+#include "tests/core/sim/town.h"
+
+using namespace pcg;
+using namespace pcg::test;
+
+namespace {
+
+// Households of an adult and up to three children with days full of stays, walks and group walks, late ones among them.
+void fill_at_random(Town &town, uint64_t seed) {
+	Random random(seed);
+	std::vector<BuildingId> buildings;
+	for (int i = 0; i < 15; ++i) {
+		buildings.push_back(town.building(i % 3 ? "house" : "school", float(random.uniform(0, 700)), float(random.uniform(0, 700))));
+	}
+	for (int i = 0; i < 12; ++i) {
+		town.household(buildings[random.index(15)]);
+		const PersonId adult = town.person(40.0f, float(random.uniform(0.9, 1.6)));
+		std::vector<PersonId> children;
+		for (size_t child = random.index(4); child > 0; --child) {
+			children.push_back(town.person(8.0f, float(random.uniform(0.6, 1.2))));
+		}
+		std::vector<int32_t> times(children.size() + 1, at(5) + int32_t(random.index(7'200'000)));
+		while (times[0] < at(20)) {
+			for (size_t member = 0; member < times.size(); ++member) {
+				const int32_t end = times[member] + 1000 + int32_t(random.index(random.chance(0.3) ? 300'000 : 5'000'000));
+				const PersonId id = member == 0 ? adult : children[member - 1];
+				random.chance(0.5) ? town.go(id, times[member], end, buildings[random.index(15)])
+								   : town.stay(id, times[member], end, buildings[random.index(15)]);
+				times[member] = end;
+			}
+			if (!children.empty() && random.chance(0.8)) { // all entries before it end, then the walk together
+				const int32_t start = *std::max_element(times.begin(), times.end());
+				const int32_t end = start + 1000 + int32_t(random.index(1'800'000));
+				town.accompany(adult, children, start, end, buildings[random.index(15)]);
+				std::fill(times.begin(), times.end(), end);
+			}
+		}
+	}
+}
+
+} // namespace
+
+TEST_CASE("all promises hold over random days, stepped and jumped") {
+	for (uint64_t seed = 1; seed <= 12; ++seed) {
+		Town town;
+		fill_at_random(town, seed);
+		Simulation &simulation = town.simulate();
+		InvariantChecker checker(simulation);
+		simulation.start(moment(0, 0));
+		Random random(seed);
+		while (simulation.now() < moment(2, 0)) {
+			simulation.step(Duration{ int64_t(random.index(90'000)) });
+			checker.check();
+			if (random.chance(0.002)) {
+				simulation.jump_to(simulation.now() + Duration::minutes(int64_t(random.index(400)) - 100));
+			}
+		}
+		simulation.flush_lived();
+		checker.finish();
+		// Children whom nobody came for in half an hour go alone, and that is told apart.
+		const uint64_t alone = checker.broken(Promise::NoChildAlone);
+		CHECK(alone <= simulation.statistics().count(SimEventKind::PatienceRanOut));
+		for (const std::string &example : checker.examples()) {
+				MESSAGE(example);
+		}
+		CHECK(checker.broken_total() - alone == 0);
+		CHECK(simulation.statistics().trips > 100);
+	}
+}
+
+TEST_CASE("random days are the same for every step") {
+	for (uint64_t seed : { 3, 4 }) {
+		Lines reference;
+		for (int64_t step : { 86'400'000, 997, 61'000 }) {
+			Town town;
+			fill_at_random(town, seed);
+			Simulation &simulation = town.simulate();
+			Recorder recorder;
+			simulation.add_observer(recorder);
+			simulation.start(moment(0, 4));
+			while (simulation.now() < moment(0, 22)) {
+				simulation.advance_to(std::min(simulation.now() + Duration{ step }, moment(0, 22)));
+			}
+			if (reference.empty()) {
+				reference = recorder.lines;
+			}
+			CHECK(recorder.lines == reference);
+		}
+	}
+}
+
+TEST_CASE("the checker sees what is broken") {
+	Town town;
+	const BuildingId home = town.building("house", 0.0f);
+	const BuildingId work = town.building("workplace", 500.0f);
+	town.household(home);
+	const PersonId ana = town.person();
+	town.go(ana, at(8), at(16), work);
+	Simulation &simulation = town.simulate();
+	InvariantChecker checker(simulation);
+	simulation.start(moment(0, 7));
+	checker.check();
+	CHECK(checker.broken_total() == 0);
+
+	SUBCASE("a person that appears elsewhere") {
+		LivedSpan span;
+		span.person = ana;
+		span.start = moment(0, 7);
+		span.end = moment(0, 8);
+		span.place = target_of(home);
+		checker.on_lived(span);
+		span.start = span.end;
+		span.end = moment(0, 9);
+		span.state = PersonState::Waiting;
+		span.position = { 77.0f, 0.0f, 0.0f };
+		span.place = {};
+		checker.on_lived(span);
+		CHECK(checker.broken(Promise::NoTeleport) == 1);
+	}
+	SUBCASE("a walk that is faster than the person") {
+		const glm::vec3 path[] = { { 0.0f, 0.0f, 0.0f }, { 500.0f, 0.0f, 0.0f } };
+		LivedSpan span;
+		span.person = ana;
+		span.start = moment(0, 7);
+		span.end = moment(0, 7, 1);
+		span.state = PersonState::Walking;
+		span.position = path[1];
+		span.path = path;
+		span.last_metre = 500.0;
+		checker.on_lived(span);
+		CHECK(checker.broken(Promise::NoTeleport) == 1);
+	}
+	SUBCASE("a gap in a life") {
+		LivedSpan span;
+		span.person = ana;
+		span.start = moment(0, 7, 5);
+		span.end = moment(0, 8);
+		span.place = target_of(home);
+		checker.on_lived(span);
+		CHECK(checker.broken(Promise::DayCovered) == 1);
+	}
+	SUBCASE("somebody who enters twice") {
+		checker.on_event({ moment(0, 7), ana, SimEventKind::EnteredBuilding, target_of(work), {} });
+		CHECK(checker.broken(Promise::NoTwoPlaces) == 1);
+	}
+	SUBCASE("a walk without a way") {
+		checker.on_event({ moment(0, 7), ana, SimEventKind::SetOut, target_of(work), {} });
+		CHECK(checker.broken(Promise::NoWalkToNowhere) == 1);
+	}
+}
+
+TEST_CASE("a life is told without gaps, and each stretch with the entry that it served") {
+	Town town;
+	const BuildingId home = town.building("house", 0.0f);
+	const BuildingId work = town.building("workplace", 60.0f);
+	town.household(home);
+	const PersonId ana = town.person();
+	town.go(ana, at(8), at(16), work);
+	Simulation &simulation = town.simulate();
+	LivedLog log;
+	simulation.add_observer(log);
+	simulation.start(moment(0, 0));
+	simulation.advance_to(moment(1, 0));
+	simulation.flush_lived();
+	const std::vector<LivedEntry> lived = log.of(ana);
+	REQUIRE(lived.size() == 5);
+	CHECK(lived[0].state == PersonState::Inside);
+	CHECK(lived[0].end == moment(0, 8));
+	CHECK(lived[1].state == PersonState::Walking);
+	CHECK(lived[1].end == moment(0, 8, 1));
+	CHECK(lived[1].metres == doctest::Approx(60.0));
+	CHECK(lived[1].planned_kind == TaskKind::GoToBuilding);
+	CHECK(lived[1].planned_end == moment(0, 16));
+	CHECK(lived[2].place == target_of(work));
+	CHECK(lived[2].end == moment(0, 16));
+	CHECK(lived[3].planned_task == PlannedEntry::hole);
+	CHECK(lived[4].end == moment(1, 0));
+}

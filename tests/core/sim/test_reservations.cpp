@@ -1,0 +1,35 @@
+#include <doctest/doctest.h>
+
+#include "core/sim/reservations.h"
+
+using namespace pcg;
+
+TEST_CASE("each place of an object goes to one person until it is released") {
+	CityModel city;
+	CityObject bench;
+	bench.places.resize(2);
+	const ObjectId id = city.add_object(bench);
+	Reservations reservations;
+	reservations.update(city);
+	CHECK(reservations.take(city, id, PersonId(4)) == 0);
+	CHECK(reservations.take(city, id, PersonId(5)) == 1);
+	CHECK(!reservations.is_free(city, id));
+	CHECK(reservations.take(city, id, PersonId(6)) == Reservations::none);
+	reservations.release(id, 0);
+	CHECK(reservations.holder(id, 0) == PersonId::Invalid);
+	CHECK(reservations.holder(id, 1) == PersonId(5));
+	CHECK(reservations.take(city, id, PersonId(6)) == 0);
+}
+
+TEST_CASE("objects added later are taken in, removed ones are not free, unknown ones neither") {
+	CityModel city;
+	Reservations reservations;
+	reservations.update(city);
+	const ObjectId id = city.add_object({});
+	CHECK(!reservations.is_free(city, id));
+	reservations.update(city);
+	CHECK(reservations.is_free(city, id));
+	city.remove_object(id);
+	CHECK(!reservations.is_free(city, id));
+	CHECK(!reservations.is_free(city, ObjectId::Invalid));
+}
