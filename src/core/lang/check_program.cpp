@@ -1,9 +1,86 @@
 #include "core/lang/compiler.h"
 
-// Warnings about what is sound but can have no effect.
+// Warnings about what is sound but has no effect. For strict dialects: in CGA hosts start where they like, and there is one phase.
 namespace pcg {
 
-void Compiler::warn_unused_rules() {}
-void Compiler::warn_phases() {}
+// Everything that `reached` leads to by plain calls.
+void Compiler::spread(std::vector<bool> &reached) const {
+	std::vector<std::vector<uint32_t>> callees(reached.size());
+	std::vector<uint32_t> open;
+	for (const Edge &edge : _edges) {
+		if (!edge.is_delayed && edge.from != no_node) {
+			callees[edge.from].push_back(edge.to);
+		}
+	}
+	for (uint32_t rule = 0; rule < reached.size(); ++rule) {
+		if (reached[rule]) {
+			open.push_back(rule);
+		}
+	}
+	while (!open.empty()) {
+		const uint32_t rule = open.back();
+		open.pop_back();
+		for (uint32_t callee : callees[rule]) {
+			if (!reached[callee]) {
+				reached[callee] = true;
+				open.push_back(callee);
+			}
+		}
+	}
+}
+
+void Compiler::warn_at(std::string_view id, const SourcePlace &at, std::string message, std::string hint) {
+	const Source &source = *_program->sources[at.file];
+	_diagnostics.add({ Severity::Warning, id, source.name(), at.line, at.column, std::move(message), std::move(hint),
+			std::string(source.line(at.line).substr(0, 2000)) });
+}
+
+void Compiler::warn_unused_and_phases() {
+	std::vector<bool> generation(_program->rules.size()), simulation(_program->rules.size());
+	if (!is_valid(_program->start_rule)) {
+		return; // A library of rules for others.
+	}
+	generation[index_of(_program->start_rule)] = true;
+	spread(generation);
+	// Rules that run later may ask for rules that run later still.
+	for (size_t round = 0; round <= _edges.size(); ++round) {
+		bool has_grown = false;
+		for (const Edge &edge : _edges) {
+			const bool is_reached = edge.from != no_node && (generation[edge.from] || simulation[edge.from]);
+			if (edge.is_delayed && is_reached && !simulation[edge.to]) {
+				simulation[edge.to] = true;
+				has_grown = true;
+			}
+		}
+		if (!has_grown) {
+			break;
+		}
+		spread(simulation);
+	}
+	for (uint32_t rule = 0; rule < _program->rules.size(); ++rule) {
+		const RuleInfo &info = _program->rules[rule];
+		if (!generation[rule] && !simulation[rule] && info.place.file == 0 && info.name.find('.') == std::string::npos) {
+			warn_at("unused-rule", info.place, "the rule `" + info.name + "` is never used",
+					"nothing that begins at `" + _program->rules[index_of(_program->start_rule)].name + "` calls it");
+		}
+	}
+	warn_phases(generation, simulation);
+}
+
+void Compiler::warn_phases(const std::vector<bool> &generation, const std::vector<bool> &simulation) {
+	for (const OperationUse &use : _uses) {
+		if (use.rule == no_node) {
+			continue;
+		}
+		const OperationSpec &spec = _dialect.operations[use.operation];
+		if (spec.phase == Phase::Generation && simulation[use.rule]) {
+			warn_at("wrong-phase", use.place, "`" + std::string(spec.name) + "` writes agendas: a rule that runs later disregards it",
+					"`" + _program->rules[use.rule].name + "` runs while the simulation does");
+		} else if (spec.phase == Phase::Simulation && generation[use.rule]) {
+			warn_at("wrong-phase", use.place, "`" + std::string(spec.name) + "` does nothing while agendas are written",
+					"call it from a rule that is given to delayedRule or floatingTask");
+		}
+	}
+}
 
 } // namespace pcg

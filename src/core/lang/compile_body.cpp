@@ -196,8 +196,7 @@ void Compiler::unknown_command(const Command &command) {
 		return;
 	}
 	if (is_strict()) {
-		error("unknown-name", command.offset, "unknown rule or operation `" + std::string(command.name) + "`",
-				did_you_mean(command.name, true));
+		unknown("rule or operation", command.name, command.offset, true);
 		return;
 	}
 	if (command.block != no_node) {
@@ -222,7 +221,7 @@ void Compiler::leaf_call(const Command &command) {
 		Callable callable;
 		callable.param_count = command.arguments.count;
 		_program->callables.push_back(callable);
-		if (!command.name.ends_with('.')) {
+		if (!command.name.ends_with('.') && !_set.is_excused(_scope.space, command.name)) {
 			std::string hint = did_you_mean(command.name, true);
 			hint += (hint.empty() ? "" : " ") + std::string("If the shape is meant to end here, write a dot behind the name.");
 			warn("unknown-name", command.offset, "no rule or operation is called `" + std::string(command.name) + "`; the shape ends here", hint);

@@ -171,7 +171,7 @@ void Compiler::rule_argument(const Expr &expr) {
 	} else if (found == no_node && _set.has_rule(_scope.space, expr.name)) {
 		complain("wrong-argument-count", expr.offset, "`" + std::string(expr.name) + "` has parameters; a rule that runs later has none");
 	} else if (found == no_node) {
-		complain("unknown-name", expr.offset, "unknown rule `" + std::string(expr.name) + "`", did_you_mean(expr.name, true));
+		unknown("rule", expr.name, expr.offset, true);
 	} else {
 		rule = _definitions[found].index;
 		_edges.push_back({ _current_rule, rule, true });
@@ -221,7 +221,7 @@ Compiler::Known Compiler::call(const Expr &expr) {
 	} else if (_dialect.has_operation(expr.name)) {
 		complain("not-a-value", expr.offset, "`" + std::string(expr.name) + "` is an operation: it has no value");
 	} else {
-		complain("unknown-name", expr.offset, "unknown function `" + std::string(expr.name) + "`", did_you_mean(expr.name, false));
+		unknown("function", expr.name, expr.offset, false);
 	}
 	return unknown_value(expr.offset);
 }

@@ -397,7 +397,7 @@ Compiler::Known Compiler::global_name(const Expr &expr, bool is_required) {
 	} else if (_set.has_rule(_scope.space, expr.name)) {
 		complain("not-a-value", expr.offset, "`" + std::string(expr.name) + "` is a rule: it has no value");
 	} else {
-		complain("unknown-name", expr.offset, "unknown name `" + std::string(expr.name) + "`", did_you_mean(expr.name, false));
+		unknown("name", expr.name, expr.offset, false);
 	}
 	return unknown_value(expr.offset);
 }

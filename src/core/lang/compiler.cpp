@@ -69,6 +69,13 @@ std::string Compiler::did_you_mean(std::string_view name, bool wants_command) co
 	return closest.empty() ? std::string() : "did you mean `" + std::string(closest) + "`?";
 }
 
+void Compiler::unknown(std::string_view what, std::string_view unknown_name, uint32_t offset, bool wants_command) {
+	if (!_set.is_excused(_scope.space, unknown_name)) {
+		complain("unknown-name", offset, "unknown " + std::string(what) + " `" + std::string(unknown_name) + "`",
+				did_you_mean(unknown_name, wants_command));
+	}
+}
+
 // --- Declarations
 
 std::vector<Annotation> Compiler::annotations_of(const Definition &definition) const {
@@ -296,8 +303,7 @@ void Compiler::finish() {
 	}
 	_program->fingerprint = fingerprint;
 	if (is_strict() && !_diagnostics.has_errors()) {
-		warn_unused_rules();
-		warn_phases();
+		warn_unused_and_phases();
 	}
 }
 

@@ -88,6 +88,8 @@ private:
 		complain("not-supported", offset, "not supported yet: " + std::string(what));
 	}
 	bool is_strict() const { return _dialect.unknown_names == Dialect::UnknownNames::Error; }
+	// Says that `name` is unknown, unless that follows from something told before.
+	void unknown(std::string_view what, std::string_view name, uint32_t offset, bool wants_command);
 	bool is_dynamic() const { return _dialect.locals == Dialect::Locals::Dynamic; }
 	std::string did_you_mean(std::string_view name, bool wants_command) const;
 
@@ -142,9 +144,11 @@ private:
 	Chunk body_chunk(uint32_t body, uint32_t offset);
 	void rule_arguments(NodeRange list);
 
-	// check_program.cpp: warnings about what is sound but pointless
-	void warn_unused_rules();
-	void warn_phases();
+	// check_program.cpp: warnings about what is sound but has no effect
+	void warn_unused_and_phases();
+	void warn_phases(const std::vector<bool> &generation, const std::vector<bool> &simulation);
+	void warn_at(std::string_view id, const SourcePlace &at, std::string message, std::string hint);
+	void spread(std::vector<bool> &reached) const;
 
 	const RuleSet &_set;
 	const Dialect &_dialect;

@@ -43,11 +43,18 @@ private:
 	size_t _at = 0;
 	bool _starts_line = true;
 	bool _is_done = false;
+	uint32_t _error_count = 0;
 	std::vector<uint32_t> _open;
 	TokenList _list;
 };
 
 void Lexer::error(std::string_view id, size_t offset, std::string message, std::string hint) {
+	// Megabytes of what no rule file holds need not be told to the end.
+	constexpr uint32_t most = 50;
+	if (++_error_count >= most) {
+		_list.is_cut_short = true;
+		_is_done = true;
+	}
 	_diagnostics.add(_source.diagnostic(Severity::Error, id, uint32_t(offset), std::move(message), std::move(hint)));
 }
 

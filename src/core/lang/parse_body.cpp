@@ -108,9 +108,9 @@ uint32_t Parser::parse_case(Chains chains) {
 	}
 	if (is_word("else") && !_panic) {
 		const uint32_t offset = take().offset;
-		branches.push_back(parse_branch(no_node, offset, chains));
-		if (is_word("case") && !chains.in_case) {
-			error("syntax", peek(), "`case` after `else:` of the same chain", "put the first chain into brackets: [ case .. else: .. ]");
+		branches.push_back(parse_branch(no_node, offset, inner));
+		if (is_word("case") && !chains.in_case && !_panic) {
+			error("syntax", peek(), "`case` behind the `else:` of a chain", "put the first chain into brackets: [ case .. else: .. ]");
 		}
 	}
 	command.branches = add_children(branches);
@@ -131,7 +131,10 @@ uint32_t Parser::parse_chance(Chains chains) {
 	}
 	if (is_word("else") && !_panic) {
 		const uint32_t offset = take().offset;
-		branches.push_back(parse_branch(no_node, offset, chains));
+		branches.push_back(parse_branch(no_node, offset, inner));
+		if (!_panic && starts_chance() && !chains.in_chance) {
+			error("syntax", peek(), "a share behind the `else:` of a choice", "put the first choice into brackets: [ 50%: .. else: .. ]");
+		}
 	}
 	command.branches = add_children(branches);
 	return add(command);

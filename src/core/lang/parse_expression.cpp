@@ -253,7 +253,7 @@ uint32_t Parser::parse_primary() {
 		case TokenKind::OpenBracket:
 			return parse_array();
 		case TokenKind::Name:
-			if (!is_keyword(text(peek()))) {
+			if (!is_keyword(text(peek())) && !starts_item()) {
 				return parse_name();
 			}
 			break;

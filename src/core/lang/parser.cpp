@@ -78,9 +78,17 @@ NodeRange Parser::add_children(const std::vector<uint32_t> &list) {
 
 Ast Parser::run() {
 	while (!is(TokenKind::End)) {
+		const size_t item_count = _ast.items.size() + _ast.imports.size();
+		const uint32_t begin = _at;
 		parse_item();
 		if (_panic) {
+			const bool is_lost = _ast.items.size() + _ast.imports.size() == item_count;
 			synchronize();
+			for (uint32_t i = begin; i < _at && is_lost && i < begin + 3; ++i) {
+				if (_tokens[i].kind == TokenKind::Name) {
+					_ast.lost_names.push_back(text(_tokens[i]));
+				}
+			}
 		}
 	}
 	if (!_annotations.empty() && !_list.is_cut_short && _annotations.back().name != "Group") {
@@ -159,6 +167,10 @@ void Parser::parse_item() {
 	}
 	if (is(TokenKind::Name)) {
 		const Token &name = take();
+		if (is(TokenKind::OpenParen) && peek().match == 0) {
+			error("syntax", peek(), "this `(` is never closed");
+			return;
+		}
 		error("syntax", peek(), "expected `-->` or `=` after `" + std::string(text(name)) + "`, " + found_text(peek()),
 				"a rule: Name --> commands; a value: name = expression");
 		return;
@@ -336,7 +348,7 @@ void Parser::parse_value(AstItem::Kind kind) { // attr and const
 	if (!_panic && expect(TokenKind::Assign, "after the name of a value")) {
 		item.value = parse_expression();
 	}
-	if (!_panic) {
+	if (item.value != no_node) {
 		_ast.items.push_back(std::move(item));
 	}
 }

@@ -151,9 +151,6 @@ void Loader::load_import(uint32_t module, const AstImport &import) {
 	const Module importer = _set.modules[module];
 	const ParsedFile &file = *_set.files[importer.file];
 	const std::string path = resolve_import(file.path, import.path);
-	if (is_cycle(path, file, import)) {
-		return;
-	}
 	if (_set.modules.size() >= max_modules) {
 		if (_set.modules.size() == max_modules) {
 			_diagnostics.add(file.source->diagnostic(Severity::Error, "too-many-imports", import.offset,
@@ -173,9 +170,9 @@ void Loader::load_import(uint32_t module, const AstImport &import) {
 					"two imports are called `" + std::string(import.id) + "`", "give one of them another name"));
 		}
 	}
-	const uint32_t imported = read(path, &file, &import);
+	const uint32_t imported = is_cycle(path, file, import) ? no_node : read(path, &file, &import);
 	if (imported == no_node) {
-		_set.spaces[space].is_missing |= !import.id.empty();
+		_set.spaces[space].is_missing = true;
 		return;
 	}
 	const bool is_loaded = std::any_of(_set.modules.begin(), _set.modules.end(),
@@ -300,6 +297,16 @@ uint32_t RuleSet::enter_space(uint32_t space, std::string_view &name) const {
 		name.remove_prefix(dot + 1);
 	}
 	return space;
+}
+
+bool RuleSet::is_excused(uint32_t space, std::string_view name) const {
+	for (const auto &file : files) {
+		if (std::find(file->ast.lost_names.begin(), file->ast.lost_names.end(), name) != file->ast.lost_names.end()) {
+			return true;
+		}
+	}
+	space = enter_space(space, name);
+	return space != no_node && spaces[space].is_missing;
 }
 
 uint32_t RuleSet::find_rule(uint32_t space, std::string_view name, size_t param_count) const {

@@ -43,7 +43,7 @@ struct Definition {
 struct Space {
 	std::string prefix; // "", "day.", "day.walk."
 	uint32_t parent = no_node;
-	bool is_missing = false; // its file could not be read (CGA goes on without it)
+	bool is_missing = false; // a file of it could not be had: its names are unknown for a reason that was told
 	std::map<std::string_view, uint32_t> imports; // id to space
 	std::unordered_map<std::string_view, std::vector<uint32_t>> rules; // name to definitions, one for each number of parameters
 	std::unordered_map<std::string_view, std::vector<uint32_t>> values; // attributes and functions
@@ -62,6 +62,8 @@ struct RuleSet {
 	bool has_value(uint32_t space, std::string_view name) const;
 	// The space that the ids in front of the last dot lead to, and `name` without them; no_node if there is no such import.
 	uint32_t enter_space(uint32_t space, std::string_view &name) const;
+	// Whether `name` may be unknown only because of something that was diagnosed before.
+	bool is_excused(uint32_t space, std::string_view name) const;
 	const Source &source_of(const Definition &definition) const {
 		return *files[modules[definition.module].file]->source;
 	}

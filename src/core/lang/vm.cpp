@@ -171,6 +171,9 @@ RunState Vm::finish(Stop stop, const Border &border) {
 }
 
 RunState Vm::call(RuleId rule, std::span<const Value> args) {
+	if (_is_paused) {
+		abandon();
+	}
 	const bool is_outermost = _frames.empty();
 	if (is_outermost) {
 		_failed = false;
@@ -240,7 +243,11 @@ Flow Vm::run_body(Chunk chunk) {
 
 bool Vm::override_attribute(std::string_view name, Value value) {
 	const int index = _program->find_attribute(name);
-	if (index < 0 || _program->attributes[size_t(index)].kind == AttributeInfo::Kind::Constant) {
+	if (index < 0) {
+		return false;
+	}
+	const AttributeInfo &info = _program->attributes[size_t(index)];
+	if (info.kind == AttributeInfo::Kind::Constant || (info.type != ValueType::Void && info.type != value.type)) {
 		return false;
 	}
 	if (value.is_text()) { // The host's text need not live as long as the override.

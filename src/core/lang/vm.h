@@ -120,7 +120,8 @@ public:
 	// The rule that runs, Invalid outside of rules.
 	RuleId running_rule() const;
 
-	// Values of attributes; the host's overrides hold for all runs until cleared. False: there is no such attribute or it is `const`.
+	// Values of attributes; the host's overrides hold for all runs until cleared. False: there is no such attribute, it is
+	// `const`, or its value is of another type.
 	bool override_attribute(std::string_view name, Value value);
 	void clear_overrides();
 	// Evaluates it if that has not happened in this run.

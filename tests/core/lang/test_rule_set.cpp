@@ -1,0 +1,99 @@
+#include <doctest/doctest.h>
+
+#include <initializer_list>
+#include <utility>
+
+#include "tests/core/lang/test_dialects.h"
+
+using namespace pcg;
+using namespace pcg::test;
+
+namespace {
+
+// The first file is the main one; runs its rule `Start`.
+std::string run_files(std::initializer_list<std::pair<std::string, std::string>> files, const Dialect &dialect) {
+	MemorySourceProvider provider;
+	for (const auto &[path, text] : files) {
+		provider.add(path, text);
+	}
+	Diagnostics diagnostics;
+	const auto program = load_program(files.begin()->first, dialect, provider, diagnostics);
+	if (program == nullptr) {
+		return to_text(diagnostics);
+	}
+	LogHost host;
+	Vm vm(*program, host);
+	if (vm.call(program->find_rule("Start")) != RunState::Finished) {
+		return to_text(host.diagnostics);
+	}
+	return (diagnostics.is_empty() ? "" : places_of(diagnostics) + " | ") + host.text();
+}
+
+std::string run_days(std::initializer_list<std::pair<std::string, std::string>> files) { return run_files(files, day_dialect()); }
+std::string run_shapes(std::initializer_list<std::pair<std::string, std::string>> files) { return run_files(files, shape_dialect()); }
+
+} // namespace
+
+TEST_CASE("an import with an id keeps its names behind the id") {
+	CHECK(run_days({ { "main", "import day : \"lib/day\"\nx = 1\nStart --> log(x, day.x, day.f(1)) day.Go later(day.Go)" },
+				  { "lib/day", "import deep : \"deep\" x = 2 f(a) = a + x + deep.x Go --> log(x)" }, { "lib/deep", "x = 10" } }) ==
+			"1,2,13 2 later:day.Go");
+}
+
+TEST_CASE("an import without an id shares the space, and the importing file wins everywhere") {
+	CHECK(run_days({ { "main", "import \"day\"\nx = 1\nStart --> Go" }, { "day", "x = 2 Go --> log(x) Start --> log(0)" } }) == "1");
+}
+
+TEST_CASE("two imports of one file have attributes of their own, in one space it is there once") {
+	CHECK(run_days({ { "main", "import a : \"day\" import b : \"day\"\nStart --> log(a.x == b.x) a.Go b.Go" },
+				  { "day", "x = rand(0, 1) Go --> log(x == x)" } }) == "false true true");
+	CHECK(run_days({ { "main", "import \"a\" import \"b\"\nStart --> log(a + b)" }, { "a", "import \"c\" a = c" }, { "b", "import \"c\" b = c" },
+				  { "c", "c = 3" } }) == "6");
+}
+
+TEST_CASE("imports in a circle are an error that prints the circle") {
+	CHECK(run_days({ { "main", "import \"main\"\nStart --> log(1)" } }).find("the file imports itself: main -> main [import-cycle]") !=
+			std::string::npos);
+	const std::string text = run_days({ { "x/main", "import a : \"b\"\nStart --> a.Go" }, { "x/b", "import \"c\"\nGo --> log(1)" },
+			{ "x/c", "import \"b\"\nOther --> log(1)" } });
+	CHECK(text == "x/c:1:8: error: files import each other: x/b -> x/c -> x/b [import-cycle]\n"
+				  "    import \"b\"\n"
+				  "           ^\n"
+				  "    put what both need into a third file\n");
+}
+
+TEST_CASE("a missing import is told once, at the import") {
+	CHECK(run_days({ { "main", "import a : \"nothing\"\nStart --> a.Go log(a.x)" } }) ==
+			"main:1:12: error: cannot import `nothing`: there is no such file [missing-import]\n"
+			"    import a : \"nothing\"\n"
+			"               ^\n"
+			"    paths count from the folder of the importing file\n");
+	CHECK(run_shapes({ { "main", "import a : \"nothing\"\nStart --> a.Go" } }) == "missing-import 1:12 | leaf:a.Go");
+}
+
+TEST_CASE("mistakes in an imported file are told with that file's name") {
+	const std::string text = run_days({ { "main", "import a : \"b\"\nStart --> a.Go" }, { "b", "Go --> nothing" } });
+	CHECK(text.starts_with("b:1:8: error: unknown rule or operation `nothing`"));
+}
+
+TEST_CASE("shapes: an importer's attribute of the same name flows into the import unless it is protected") {
+	const std::string lib = "attr h = 5 attr w = 6 Go --> log(h, w)";
+	CHECK(run_shapes({ { "main", "import a : \"lib\"\nattr h = 1\nStart --> a.Go" }, { "lib", lib } }) == "a.Go 1,6");
+	CHECK(run_shapes({ { "main", "import a : \"lib\" (h)\nattr h = 1 attr w = 2\nStart --> a.Go" }, { "lib", lib } }) == "a.Go 5,2");
+	CHECK(run_shapes({ { "main", "import a : \"lib\" ()\nattr h = 1\nStart --> a.Go" }, { "lib", lib } }) == "a.Go 5,6");
+	CHECK(run_shapes({ { "main", "import a : \"lib\" (w = k * 2)\nattr k = 4\nStart --> a.Go" }, { "lib", lib } }) == "a.Go 5,8");
+}
+
+TEST_CASE("shapes: rules of an import can be replaced") {
+	CHECK(run_shapes({ { "main", "import a : \"lib\" (Roof --> log(2))\nStart --> a.Go" }, { "lib", "Go --> Roof extension Roof --> log(1)" } }) ==
+			"a.Go a.Roof 2");
+	CHECK(run_shapes({ { "main", "import a : \"lib\"\nk = 7\na.Roof --> log(k)\nStart --> a.Go" }, { "lib", "Go --> Roof Roof --> log(1)" } }) ==
+			"a.Go a.Roof 7");
+}
+
+TEST_CASE("shapes: what is not supported yet is said once where it stands") {
+	CHECK(run_shapes({ { "main", "import a : \"lib\"\nStart --> a(h = 3).Go\nstyle Night\nStart --> log(9)" }, { "lib", "attr h = 5 Go --> log(h)" } }) ==
+			"not-supported 3:1; not-supported 2:11 | a.Go 5");
+	CHECK(check_shape("a = [1:3] b = comp(fe) { all: 1 } c = [1] .+ [2]\nLot --> log(a)") ==
+			"not-supported 1:7; not-supported 1:15; not-supported 1:43");
+}
