@@ -1,0 +1,268 @@
+#include "core/cga/clip.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "core/geometry/polygon.h"
+
+namespace pcg::cga {
+
+namespace {
+
+std::vector<glm::dvec2> flattened(std::span<const glm::dvec3> loop, glm::dvec3 normal) {
+	std::vector<glm::dvec2> result;
+	for (const glm::dvec3 &point : loop) {
+		result.push_back(flatten(point, normal));
+	}
+	return result;
+}
+
+bool is_before(glm::dvec3 a, glm::dvec3 b) {
+	return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+}
+
+} // namespace
+
+const Geometry *Clipper::clip(const Geometry &geometry, const Plane &plane, Arena &arena) {
+	measure(geometry, plane);
+	const auto points = std::span(_distances);
+	if (std::ranges::none_of(points, [](double d) { return d > 0.0; })) {
+		return nullptr;
+	}
+	if (std::ranges::none_of(points, [](double d) { return d < 0.0; })) {
+		return &geometry;
+	}
+	_builder.clear();
+	_cuts.clear();
+	for (uint32_t i = 0; i < geometry.face_count; ++i) {
+		clip_face(geometry, geometry.faces[i], plane);
+	}
+	const bool is_closed = geometry.is_closed && add_caps(plane);
+	return _builder.finish(arena, is_closed);
+}
+
+// Points closer to the plane than rounding can tell lie on it, and count as cut away: then a face in the plane never stays behind, and the
+// cap, made from the faces beside it, takes its place.
+void Clipper::measure(const Geometry &geometry, const Plane &plane) {
+	const glm::dvec3 size = glm::max(glm::abs(geometry.low), glm::abs(geometry.high));
+	const double margin = 1e-10 * (size.x + size.y + size.z + std::abs(plane.offset));
+	_distances.resize(geometry.point_count);
+	for (uint32_t i = 0; i < geometry.point_count; ++i) {
+		const double distance = glm::dot(plane.normal, geometry.points[i]) - plane.offset;
+		_distances[i] = std::abs(distance) <= margin ? 0.0 : distance;
+	}
+}
+
+void Clipper::clip_face(const Geometry &geometry, const GeometryFace &face, const Plane &plane) {
+	const uint32_t first = geometry.first_point(face.first_loop);
+	const auto distances = std::span(_distances).subspan(first, geometry.face_point_count(face));
+	const auto [least, most] = std::ranges::minmax(distances);
+	if (most <= 0.0) {
+		return;
+	}
+	if (least > 0.0) {
+		_builder.add_face(geometry, face);
+		return;
+	}
+	_chains.clear();
+	_chain_points.clear();
+	_whole_holes.clear();
+	const glm::dvec3 along = glm::cross(plane.normal, face_normal(geometry, face));
+	for (uint32_t i = 0; i < face.loop_count; ++i) {
+		collect_chains(geometry, face.first_loop + i, along, i == 0);
+	}
+	pair_chains();
+	emit_pieces(geometry, face);
+}
+
+// Always from the point that stays to the other one, so that both faces at an edge get the same bits.
+glm::dvec3 Clipper::cut_point(const Geometry &geometry, uint32_t a, uint32_t b) const {
+	const uint32_t in = _distances[a] > 0.0 ? a : b;
+	const uint32_t out = in == a ? b : a;
+	if (_distances[out] == 0.0) {
+		return geometry.points[out];
+	}
+	const double share = _distances[in] / (_distances[in] - _distances[out]);
+	return geometry.points[in] + (geometry.points[out] - geometry.points[in]) * share;
+}
+
+void Clipper::collect_chains(const Geometry &geometry, uint32_t loop, glm::dvec3 along, bool is_outline) {
+	const uint32_t first = geometry.first_point(loop);
+	const uint32_t count = geometry.loop_ends[loop] - first;
+	const auto at = [&](uint32_t i) { return first + i % count; };
+	const auto is_in = [&](uint32_t i) { return _distances[at(i)] > 0.0; };
+	uint32_t start = 0;
+	while (start < count && (is_in(start) || !is_in(start + 1))) {
+		++start;
+	}
+	if (start == count) { // never comes in
+		if (is_in(0)) {
+			_whole_holes.push_back(loop);
+		}
+		return;
+	}
+	for (uint32_t i = start; i < start + count; ++i) {
+		if (is_in(i) == is_in(i + 1)) {
+			if (is_in(i)) {
+				_chain_points.push_back(geometry.points[at(i + 1)]);
+			}
+		} else {
+			const glm::dvec3 point = cut_point(geometry, at(i), at(i + 1));
+			if (is_in(i + 1)) {
+				_chains.push_back({ .first = uint32_t(_chain_points.size()), .enter = glm::dot(along, point) });
+				_chain_points.push_back(point);
+				_chain_points.push_back(geometry.points[at(i + 1)]);
+			} else {
+				_chain_points.push_back(point);
+				_chains.back().leave = glm::dot(along, point);
+				_chains.back().end = uint32_t(_chain_points.size());
+			}
+		}
+		const bool begins_first_edge = is_outline && i % count == 0 && (is_in(i) || is_in(i + 1));
+		if (begins_first_edge) { // the piece of the first edge ends at the point added last
+			_chains.back().has_first_edge = true;
+			_chains.back().first_edge = uint32_t(_chain_points.size()) - 2;
+		}
+	}
+}
+
+// Along the cut, outlines come in and go out in turns; between the two lies the inside of the polygon.
+void Clipper::pair_chains() {
+	_crossings.clear();
+	for (uint32_t i = 0; i < _chains.size(); ++i) {
+		_crossings.push_back({ _chains[i].enter, i, true });
+		_crossings.push_back({ _chains[i].leave, i, false });
+	}
+	std::ranges::stable_sort(_crossings, {}, &Crossing::at);
+	for (size_t i = 0; i + 1 < _crossings.size(); i += 2) {
+		if (_crossings[i].is_enter == _crossings[i + 1].is_enter) { // only where several lie in one place, or in a broken outline
+			const auto other = std::find_if(_crossings.begin() + std::ptrdiff_t(i) + 1, _crossings.end(),
+					[&](const Crossing &c) { return c.is_enter != _crossings[i].is_enter; });
+			std::swap(_crossings[i + 1], *other);
+		}
+		const auto [enter, leave] = _crossings[i].is_enter ? std::pair(i, i + 1) : std::pair(i + 1, i);
+		_chains[_crossings[leave].chain].next = _crossings[enter].chain;
+	}
+}
+
+void Clipper::emit_pieces(const Geometry &geometry, const GeometryFace &face) {
+	const glm::dvec3 normal = face_normal(geometry, face);
+	if (_chains.empty()) { // touched by the plane, not cut
+		_builder.add_face(geometry, face);
+		return;
+	}
+	for (uint32_t i = 0; i < _chains.size(); ++i) {
+		if (_chains[i].is_used) {
+			continue;
+		}
+		emit_outline(i);
+		for (const glm::dvec3 &point : _outline) {
+			_builder.add_point(point);
+		}
+		if (glm::dot(area_vector(_outline), normal) > 0.0 && _builder.end_loop()) {
+			add_holes(geometry, _outline, normal);
+			_builder.end_face(face.tag, face.material);
+		} else {
+			_builder.drop_points();
+		}
+	}
+}
+
+void Clipper::emit_outline(uint32_t chain) {
+	_order.clear();
+	for (uint32_t at = chain; !_chains[at].is_used; at = _chains[at].next) {
+		_chains[at].is_used = true;
+		_order.push_back(at);
+	}
+	_outline.clear();
+	size_t start = 0;
+	bool has_start = false;
+	for (size_t i = 0; i < _order.size(); ++i) {
+		const Chain &piece = _chains[_order[i]];
+		const Chain &following = _chains[_order[(i + 1) % _order.size()]];
+		if (piece.has_first_edge) {
+			start = _outline.size() + (piece.first_edge - piece.first);
+			has_start = true;
+		}
+		_outline.insert(_outline.end(), _chain_points.begin() + piece.first, _chain_points.begin() + piece.end);
+		_cuts.push_back({ _chain_points[piece.end - 1], _chain_points[following.first] });
+	}
+	std::rotate(_outline.begin(), _outline.begin() + std::ptrdiff_t(has_start ? start : _outline.size() - 1), _outline.end());
+}
+
+void Clipper::add_holes(const Geometry &geometry, const std::vector<glm::dvec3> &outline, glm::dvec3 normal) {
+	if (_whole_holes.empty()) {
+		return;
+	}
+	const std::vector<glm::dvec2> flat = flattened(outline, normal);
+	for (const uint32_t loop : _whole_holes) {
+		const auto points = geometry.loop(loop);
+		if (!contains(flat, flatten(points[0], normal))) {
+			continue;
+		}
+		for (const glm::dvec3 &point : points) {
+			_builder.add_point(point);
+		}
+		_builder.end_loop();
+	}
+}
+
+// The cuts of all faces run around what the plane cuts out of the volume; reversed they are the outline of the cap, which looks away from the
+// side that stays. False if they do not close.
+bool Clipper::add_caps(const Plane &plane) {
+	for (Segment &cut : _cuts) {
+		std::swap(cut.from, cut.to);
+	}
+	std::erase_if(_cuts, [](const Segment &cut) { return cut.from == cut.to; });
+	std::ranges::stable_sort(_cuts, is_before, &Segment::from);
+	std::vector<std::vector<glm::dvec3>> outlines, holes;
+	std::vector<glm::dvec3> loop;
+	while (!_cuts.empty()) {
+		if (!next_cap_loop(loop)) {
+			return false;
+		}
+		const double size = glm::dot(area_vector(loop), -plane.normal);
+		(size > 0.0 ? outlines : holes).push_back(loop);
+	}
+	for (const auto &outline : outlines) {
+		for (const glm::dvec3 &point : outline) {
+			_builder.add_point(point);
+		}
+		_builder.end_loop();
+		const std::vector<glm::dvec2> flat = flattened(outline, -plane.normal);
+		for (const auto &hole : holes) {
+			if (contains(flat, flatten(hole[0], -plane.normal))) {
+				for (const glm::dvec3 &point : hole) {
+					_builder.add_point(point);
+				}
+				_builder.end_loop();
+			}
+		}
+		_builder.end_face();
+	}
+	return true;
+}
+
+bool Clipper::next_cap_loop(std::vector<glm::dvec3> &loop) {
+	loop.clear();
+	const glm::dvec3 start = _cuts.back().from;
+	glm::dvec3 at = _cuts.back().to;
+	loop.push_back(start);
+	_cuts.pop_back();
+	while (at != start) {
+		const auto found = std::ranges::lower_bound(_cuts, at, is_before, &Segment::from);
+		if (found == _cuts.end() || found->from != at) {
+			return false;
+		}
+		loop.push_back(at);
+		at = found->to;
+		_cuts.erase(found);
+	}
+	return true;
+}
+
+} // namespace pcg::cga

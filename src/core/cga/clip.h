@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "core/cga/geometry.h"
+
+// Cuts polygons with planes. Concave faces fall into as many pieces as there are, holes stay holes or become part of the outline, and the cuts
+// of closed surfaces are capped.
+namespace pcg::cga {
+
+struct Plane {
+	glm::dvec3 normal{ 0.0, 1.0, 0.0 }; // towards the side that stays
+	double offset = 0.0; // normal . p of its points
+};
+
+class Clipper {
+public:
+	// What lies on the plane's positive side; nullptr if nothing does. The geometry itself if nothing is cut away. Pieces keep the face's
+	// first edge where it survives; where it is cut away, the cut takes its place.
+	const Geometry *clip(const Geometry &geometry, const Plane &plane, Arena &arena);
+
+private:
+	// A run of corners on the positive side, between the point where the outline comes in and the point where it goes out.
+	struct Chain {
+		uint32_t first = 0, end = 0; // in _chain_points
+		double enter = 0.0, leave = 0.0; // where on the cut
+		uint32_t next = 0; // chain that goes on where this one leaves
+		bool has_first_edge = false; // the face's first edge begins at corner `first_edge`
+		uint32_t first_edge = 0;
+		bool is_used = false;
+	};
+	struct Crossing {
+		double at;
+		uint32_t chain;
+		bool is_enter;
+	};
+	struct Segment {
+		glm::dvec3 from, to;
+	};
+
+	void measure(const Geometry &geometry, const Plane &plane);
+	void clip_face(const Geometry &geometry, const GeometryFace &face, const Plane &plane);
+	void collect_chains(const Geometry &geometry, uint32_t loop, glm::dvec3 along, bool is_outline);
+	glm::dvec3 cut_point(const Geometry &geometry, uint32_t a, uint32_t b) const;
+	void pair_chains();
+	void emit_pieces(const Geometry &geometry, const GeometryFace &face);
+	void emit_outline(uint32_t chain);
+	void add_holes(const Geometry &geometry, const std::vector<glm::dvec3> &outline, glm::dvec3 normal);
+	bool add_caps(const Plane &plane);
+	bool next_cap_loop(std::vector<glm::dvec3> &loop);
+
+	GeometryBuilder _builder;
+	std::vector<double> _distances; // of each point of the geometry to the plane
+	std::vector<Chain> _chains;
+	std::vector<glm::dvec3> _chain_points;
+	std::vector<Crossing> _crossings;
+	std::vector<uint32_t> _whole_holes; // loops of the face that the cut does not meet
+	std::vector<uint32_t> _order; // chains of one outline, in order
+	std::vector<Segment> _cuts;
+	std::vector<glm::dvec3> _outline;
+};
+
+} // namespace pcg::cga

@@ -1,0 +1,68 @@
+#include "core/cga/shape.h"
+
+#include <glm/common.hpp>
+#include <glm/matrix.hpp>
+
+namespace pcg::cga {
+
+void refit(Shape &shape) {
+	if (shape.geometry == nullptr) {
+		return;
+	}
+	const glm::dvec3 a = shape.to_scope(shape.geometry->low);
+	const glm::dvec3 b = shape.to_scope(shape.geometry->high);
+	const glm::dvec3 low = glm::min(a, b);
+	shape.size = glm::max(a, b) - low;
+	shape.geometry_offset -= low;
+	shape.position += shape.rotation * low;
+}
+
+void set_geometry(Shape &shape, const Geometry *geometry) {
+	shape.geometry = geometry;
+	shape.geometry_offset = glm::dvec3(0.0);
+	shape.geometry_scale = glm::dvec3(1.0);
+	refit(shape);
+}
+
+const Geometry *baked(const Shape &shape, Arena &arena) {
+	if (shape.geometry == nullptr) {
+		return nullptr;
+	}
+	const bool is_plain = shape.geometry_offset == glm::dvec3(0.0) && shape.geometry_scale == glm::dvec3(1.0);
+	if (is_plain) {
+		return shape.geometry;
+	}
+	Geometry *result = arena.make(*shape.geometry);
+	glm::dvec3 *points = arena.allocate<glm::dvec3>(result->point_count);
+	for (uint32_t i = 0; i < result->point_count; ++i) {
+		points[i] = shape.to_scope(shape.geometry->points[i]);
+	}
+	result->points = points;
+	const glm::dvec3 a = shape.to_scope(shape.geometry->low);
+	const glm::dvec3 b = shape.to_scope(shape.geometry->high);
+	result->low = glm::min(a, b);
+	result->high = glm::max(a, b);
+	return result;
+}
+
+void turn_scope(Shape &shape, const glm::dmat3 &axes, Arena &arena) {
+	shape.rotation = shape.rotation * axes;
+	if (shape.geometry == nullptr) {
+		return;
+	}
+	const glm::dmat3 inverse = glm::transpose(axes);
+	GeometryBuilder builder;
+	for (uint32_t f = 0; f < shape.geometry->face_count; ++f) {
+		const GeometryFace &face = shape.geometry->faces[f];
+		for (uint32_t i = 0; i < face.loop_count; ++i) {
+			for (const glm::dvec3 &point : shape.geometry->loop(face.first_loop + i)) {
+				builder.add_point(inverse * shape.to_scope(point));
+			}
+			builder.end_loop(1);
+		}
+		builder.end_face(face.tag, face.material);
+	}
+	set_geometry(shape, builder.finish(arena, shape.geometry->is_closed));
+}
+
+} // namespace pcg::cga

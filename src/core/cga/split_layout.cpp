@@ -1,0 +1,182 @@
+#include "core/cga/split_layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcg::cga {
+
+namespace {
+
+constexpr double least_part = 1e-6;
+
+struct Sums {
+	double fixed = 0.0; // metres
+	double flexible = 0.0;
+
+	Sums &operator+=(Sums other) {
+		fixed += other.fixed;
+		flexible += other.flexible;
+		return *this;
+	}
+	friend Sums operator*(double count, Sums sums) { return { count * sums.fixed, count * sums.flexible }; }
+};
+
+double clean(double value) {
+	return std::isfinite(value) && value > 0.0 ? value : 0.0;
+}
+
+Sums sums_of(const SplitGroup &group, double length) {
+	Sums sums;
+	for (const SplitSize &size : group.sizes) {
+		const double value = clean(size.value);
+		(size.kind == SizeKind::Flexible ? sums.flexible : sums.fixed) += size.kind == SizeKind::Relative ? value * length : value;
+	}
+	return sums;
+}
+
+class Layouter {
+public:
+	Layouter(std::span<const SplitGroup> groups, double length, uint32_t max_parts)
+			: _groups(groups), _length(length), _max_parts(max_parts), _counts(groups.size(), 1) {}
+
+	SplitLayout run() {
+		for (const SplitGroup &group : _groups) {
+			_sums.push_back(sums_of(group, _length));
+			_repeats += group.is_repeated;
+		}
+		if (_repeats == 1) {
+			count_one(size_t(std::ranges::find(_groups, true, &SplitGroup::is_repeated) - _groups.begin()));
+		} else if (_repeats > 1) {
+			count_several();
+		}
+		place();
+		return std::move(_layout);
+	}
+
+private:
+	Sums total() const {
+		Sums sums;
+		for (size_t i = 0; i < _groups.size(); ++i) {
+			sums += double(_counts[i]) * _sums[i];
+		}
+		return sums;
+	}
+	Sums outside(size_t repeat) const {
+		Sums sums = total();
+		sums += -double(_counts[repeat]) * _sums[repeat];
+		return sums;
+	}
+	// How much the flexible parts are stretched, 1 = not at all; negative: the fixed ones do not fit.
+	double stretch() const {
+		const Sums sums = total();
+		return (_length - sums.fixed) / sums.flexible;
+	}
+
+	void count_one(size_t repeat) {
+		const Sums pattern = _sums[repeat];
+		const Sums outer = outside(repeat);
+		const double nominal = pattern.fixed + pattern.flexible;
+		if (nominal <= 1e-9) {
+			_counts[repeat] = 0;
+			return;
+		}
+		if (pattern.flexible == 0.0) {
+			const double room = std::max(0.0, _length - outer.fixed) / pattern.fixed;
+			// Beside flexible parts only whole patterns; without any, the last one is cut.
+			set_count(repeat, outer.flexible > 0.0 ? std::floor(room + 1e-9) : std::ceil(room - 1e-9));
+			_repeat_room = outer.flexible > 0.0 ? _length : std::max(0.0, _length - outer.fixed);
+			return;
+		}
+		const double ideal = std::clamp((_length - outer.fixed - outer.flexible) / nominal, 0.0, double(_max_parts) + 1.0);
+		set_count(repeat, std::max(1.0, std::floor(ideal)));
+		const uint32_t few = _counts[repeat];
+		const double stretch_of_few = stretch();
+		set_count(repeat, few + 1.0);
+		const double stretch_of_more = stretch();
+		if (stretch_of_more < 0.0 || std::abs(stretch_of_few - 1.0) <= std::abs(stretch_of_more - 1.0)) {
+			_counts[repeat] = few;
+		}
+		if (stretch_of_few < 0.0 && _groups.size() > 1) { // not even one fits beside the others
+			_counts[repeat] = 0;
+		}
+	}
+
+	void set_count(size_t repeat, double count) {
+		const double most = double(_max_parts) / double(_groups[repeat].sizes.size());
+		_layout.is_clamped |= count > most;
+		_counts[repeat] = uint32_t(std::min(count, most));
+	}
+
+	// One repetition at a time to the group that has the fewest, while the stretch comes closer to 1.
+	void count_several() {
+		double best = std::abs(stretch() - 1.0);
+		for (uint32_t parts = 0; parts < _max_parts; ++parts) {
+			size_t fewest = _groups.size();
+			for (size_t i = 0; i < _groups.size(); ++i) {
+				const bool is_candidate = _groups[i].is_repeated && _sums[i].fixed + _sums[i].flexible > 1e-9;
+				if (is_candidate && (fewest == _groups.size() || _counts[i] < _counts[fewest])) {
+					fewest = i;
+				}
+			}
+			if (fewest == _groups.size()) {
+				return;
+			}
+			++_counts[fewest];
+			const double now = stretch();
+			if (!(now >= 0.0) || !(std::abs(now - 1.0) < best)) {
+				--_counts[fewest];
+				return;
+			}
+			best = std::abs(now - 1.0);
+		}
+		_layout.is_clamped = true;
+	}
+
+	void place() {
+		const Sums sums = total();
+		const double left = std::max(0.0, _length - sums.fixed);
+		_scale = sums.flexible > 0.0 ? left / sums.flexible : 0.0;
+		for (size_t i = 0; i < _groups.size(); ++i) {
+			const double limit = _groups[i].is_repeated ? std::min(_length, _at + _repeat_room) : _length;
+			for (uint32_t n = 0; n < _counts[i] && _at < limit; ++n) {
+				place_once(_groups[i], limit);
+			}
+		}
+	}
+
+	void place_once(const SplitGroup &group, double limit) {
+		for (const SplitSize &size : group.sizes) {
+			double extent = clean(size.value);
+			if (size.kind != SizeKind::Absolute) {
+				extent *= size.kind == SizeKind::Relative ? _length : _scale;
+			}
+			double end = _at + extent;
+			if (extent > 0.0 && end > limit - least_part) { // cut, or short of it by rounding alone
+				end = std::max(_at, limit);
+			}
+			if (end - _at > least_part) {
+				_layout.parts.push_back({ size.entry, _at, end });
+			}
+			_at = end;
+		}
+	}
+
+	std::span<const SplitGroup> _groups;
+	double _length;
+	uint32_t _max_parts;
+	std::vector<uint32_t> _counts;
+	std::vector<Sums> _sums;
+	size_t _repeats = 0;
+	double _repeat_room = 1e300; // what the repeated parts may fill
+	double _scale = 1.0;
+	double _at = 0.0;
+	SplitLayout _layout;
+};
+
+} // namespace
+
+SplitLayout lay_out_split(std::span<const SplitGroup> groups, double length, uint32_t max_parts) {
+	return Layouter(groups, clean(length), max_parts).run();
+}
+
+} // namespace pcg::cga
