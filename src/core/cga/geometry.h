@@ -18,7 +18,7 @@ struct GeometryFace {
 	uint32_t first_loop = 0;
 	uint16_t loop_count = 1; // the first is the outline, the others are holes
 	FaceTag tag = FaceTag::None;
-	uint16_t material = 0; // 0 = the shape's own, else 1 + index in Geometry::materials
+	uint16_t material = 0; // 0 = the shape's own, else 1 + index in the derivation's list of inserted materials
 };
 
 // Corners are not shared between faces; equal corners of neighbouring faces are equal to the last bit, and that is how neighbours find each

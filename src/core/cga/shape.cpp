@@ -2,6 +2,7 @@
 
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
 
 namespace pcg::cga {
 
@@ -12,15 +13,19 @@ void refit(Shape &shape) {
 	const glm::dvec3 a = shape.to_scope(shape.geometry->low);
 	const glm::dvec3 b = shape.to_scope(shape.geometry->high);
 	const glm::dvec3 low = glm::min(a, b);
-	shape.size = glm::max(a, b) - low;
-	shape.geometry_offset -= low;
-	shape.position += shape.rotation * low;
+	const glm::dvec3 high = glm::max(a, b);
+	const auto is_negative = glm::lessThan(shape.size, glm::dvec3(0.0));
+	const glm::dvec3 origin = glm::mix(low, high, is_negative);
+	shape.size = glm::mix(high, low, is_negative) - origin;
+	shape.geometry_offset -= origin;
+	shape.position += shape.rotation * origin;
 }
 
 void set_geometry(Shape &shape, const Geometry *geometry) {
 	shape.geometry = geometry;
 	shape.geometry_offset = glm::dvec3(0.0);
 	shape.geometry_scale = glm::dvec3(1.0);
+	shape.size = glm::dvec3(0.0);
 	refit(shape);
 }
 

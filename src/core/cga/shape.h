@@ -3,10 +3,10 @@
 #include <cstdint>
 
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include "core/cga/geometry.h"
 #include "core/cga/scope.h"
-#include "core/geometry/mesh.h"
 #include "core/lang/value.h"
 
 namespace pcg::cga {
@@ -20,6 +20,15 @@ struct Lot {
 	glm::dvec3 center{ 0.0 };
 };
 
+// Material of a shape while it is being derived: plain data, shared until a shape changes it.
+struct Look {
+	glm::vec4 color{ 1.0f };
+	float roughness = 0.9f;
+	float metallic = 0.0f;
+	bool is_double_sided = false;
+	bool has_color = false; // set by a rule: it wins over what an inserted asset brings
+};
+
 // Where and what a shape is (CGA reference, section 2). Copied at every rule call: plain data; what is big lies in the arena and is shared.
 struct Shape {
 	const Geometry *geometry = nullptr; // nullptr: a scope without geometry
@@ -30,7 +39,7 @@ struct Shape {
 	glm::dvec3 position{ 0.0 }; // scope.t, in the pivot
 	glm::dmat3 rotation{ 1.0 }; // scope.r
 	glm::dvec3 size{ 0.0 }; // scope.s
-	const Material *material = nullptr;
+	const Look *look = nullptr;
 	Value *attributes = nullptr; // changed only by copying
 	uint64_t seed = 0;
 	int32_t object = -1; // index of the object it belongs to
@@ -45,7 +54,7 @@ struct Shape {
 
 // New geometry in coordinates of the current scope; the scope becomes its bounding box (position moves, axes stay).
 void set_geometry(Shape &shape, const Geometry *geometry);
-// The scope as bounding box of the geometry; without geometry nothing happens.
+// The scope as bounding box of the geometry, negative sizes stay negative; without geometry nothing happens.
 void refit(Shape &shape);
 // The geometry in scope coordinates, its mapping applied: for operations that look at every point. nullptr without geometry.
 const Geometry *baked(const Shape &shape, Arena &arena);

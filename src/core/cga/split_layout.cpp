@@ -96,7 +96,8 @@ private:
 		if (stretch_of_more < 0.0 || std::abs(stretch_of_few - 1.0) <= std::abs(stretch_of_more - 1.0)) {
 			_counts[repeat] = few;
 		}
-		if (stretch_of_few < 0.0 && _groups.size() > 1) { // not even one fits beside the others
+		const bool is_alone = outer.fixed == 0.0 && outer.flexible == 0.0;
+		if (stretch_of_few < 0.0 && !is_alone) { // not even one fits beside the others
 			_counts[repeat] = 0;
 		}
 	}

@@ -1,0 +1,293 @@
+#include "core/cga/context.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/cga/initial_shape.h"
+
+namespace pcg::cga {
+
+namespace {
+
+VmLimits vm_limits(const DeriveLimits &limits) {
+	VmLimits result;
+	result.max_depth = limits.max_depth;
+	result.max_steps = limits.max_steps;
+	return result;
+}
+
+std::string_view object_tag(const RuleInfo &rule) {
+	for (const Annotation &annotation : rule.annotations) {
+		if (annotation.name == "Object" || annotation.name == "object") {
+			return annotation.arguments.empty() ? std::string_view("object") : std::string_view(annotation.arguments[0]);
+		}
+	}
+	return {};
+}
+
+} // namespace
+
+Context::Context(const Program &program, const DeriveOptions &options)
+		: vm(program, *this, vm_limits(options.limits)), _program(program), _options(options) {
+	for (const Text &text : program.texts) {
+		_selectors.push_back(selector_of(text.view));
+	}
+	for (const RuleInfo &rule : program.rules) {
+		_object_tags.push_back(object_tag(rule));
+	}
+}
+
+DerivationResult Context::derive(const InitialShape &initial_shape) {
+	if (set_up(initial_shape)) {
+		const RuleId start = start_rule();
+		if (is_valid(start)) {
+			run_rules(start);
+		}
+	}
+	_initial_shape = nullptr;
+	return model.take();
+}
+
+bool Context::set_up(const InitialShape &initial_shape) {
+	_initial_shape = &initial_shape;
+	_lot = {};
+	_saved.clear();
+	_stack.clear();
+	_children.clear();
+	_body = { Random(initial_shape.seed), 0, false };
+	arena.release({});
+	shape = {};
+	shape.look = &_default_look;
+	_is_stopped = false;
+	shape.seed = initial_shape.seed;
+	Diagnostics diagnostics;
+	const bool is_usable = make_initial_shape(initial_shape, arena, _lot, shape, diagnostics);
+	model.begin(_lot);
+	model.result().diagnostics.append(diagnostics);
+	vm.begin(initial_shape.seed);
+	vm.use_random(_body.random);
+	if (is_usable) {
+		set_overrides();
+		vm.evaluate_attributes();
+		shape.attributes = vm.attribute_values();
+		own_attributes();
+	}
+	return is_usable && !vm.has_failed();
+}
+
+void Context::set_overrides() {
+	vm.clear_overrides();
+	std::string text;
+	for (const auto &[name, value] : _initial_shape->attributes) {
+		Value override_value;
+		Text holder;
+		if (const double *number = std::get_if<double>(&value)) {
+			override_value = Value::of(*number);
+		} else if (const bool *boolean = std::get_if<bool>(&value)) {
+			override_value = Value::of(*boolean);
+		} else {
+			holder.view = std::get<std::string>(value);
+			override_value = Value::of(&holder);
+		}
+		if (!vm.override_attribute(name, override_value)) {
+			model.result().diagnostics.warning("unknown-attribute", "there is no attribute \"" + name + "\" to set",
+					"attributes are declared with attr; const ones cannot be set from outside");
+		}
+	}
+}
+
+RuleId Context::start_rule() {
+	const std::string &wanted = _initial_shape->start_rule;
+	RuleId rule = wanted.empty() ? _program.start_rule : _program.find_rule(wanted);
+	if (!is_valid(rule) && wanted.empty()) {
+		rule = _program.find_rule("Lot");
+		for (uint32_t i = 0; i < _program.rules.size() && !is_valid(rule); ++i) {
+			const RuleInfo &info = _program.rules[i];
+			rule = info.params.empty() && !info.is_leaf_symbol ? RuleId(i) : rule;
+		}
+	}
+	if (!is_valid(rule)) {
+		model.result().diagnostics.error("unknown-start-rule",
+				wanted.empty() ? std::string("the rule set has no rule to start with") : "there is no rule \"" + wanted + "\" without parameters to start with",
+				"mark one with @StartRule");
+	}
+	return rule;
+}
+
+void Context::run_rules(RuleId start) {
+	_stack.push_back({ start, arena.make(shape), nullptr, 0, {} });
+	while (!_stack.empty()) {
+		const Pending pending = _stack.back();
+		_stack.pop_back();
+		if (!is_valid(pending.rule)) {
+			arena.release(pending.mark);
+			continue;
+		}
+		const Arena::Mark mark = arena.mark();
+		if (!run_rule(pending)) {
+			return;
+		}
+		_stack.push_back({ RuleId::Invalid, nullptr, nullptr, 0, mark });
+		_stack.insert(_stack.end(), _children.rbegin(), _children.rend());
+	}
+}
+
+// False: the derivation ends here.
+bool Context::run_rule(const Pending &pending) {
+	_children.clear();
+	if (!count_shape()) {
+		return false;
+	}
+	Shape start = *pending.shape;
+	const std::string_view tag = _object_tags[index_of(pending.rule)];
+	if (!tag.empty()) {
+		start.object = model.begin_object(tag, start);
+	}
+	make_current(start);
+	_body = { Random(start.seed), 0, false };
+	_saved.push_back(start);
+	const RunState state = vm.call(pending.rule, { pending.args, pending.arg_count });
+	_saved.pop_back();
+	if (!_body.is_replaced) {
+		model.add_leaf(shape);
+	}
+	return state == RunState::Finished && !_is_stopped;
+}
+
+bool Context::count_shape() {
+	const DeriveLimits &limits = _options.limits;
+	DerivationResult &result = model.result();
+	if (result.shape_count < limits.max_shapes && result.face_count <= limits.max_faces) {
+		++result.shape_count;
+		return true;
+	}
+	if (!_is_stopped) {
+		const bool has_many_shapes = result.shape_count >= limits.max_shapes;
+		const std::string most = std::to_string(has_many_shapes ? limits.max_shapes : limits.max_faces);
+		result.diagnostics.error("too-many-shapes",
+				"the derivation was stopped at the limit of " + most + (has_many_shapes ? " shapes" : " faces"),
+				"a rule may call itself without end, or a split repeat a tiny size; else raise the limit");
+		_is_stopped = true;
+	}
+	return false;
+}
+
+void Context::make_current(const Shape &other) {
+	shape = other;
+	vm.use_attributes(shape.attributes);
+}
+
+bool Context::is_paper_rule() const {
+	const RuleId rule = vm.running_rule();
+	return is_valid(rule) && _program.rules[index_of(rule)].has_paper_arrow;
+}
+
+Flow Context::call_rule(Vm &, RuleId rule, std::span<const Value> args) {
+	mark_replaced();
+	Shape child = shape;
+	child.seed = derive_seed(shape.seed, _body.child_count++);
+	child.depth = shape.depth + 1;
+	if (_program.rules[index_of(rule)].is_leaf_symbol) {
+		if (!count_shape()) {
+			return Flow::Stop;
+		}
+		model.add_leaf(child);
+		return Flow::Next;
+	}
+	if (child.depth > _options.limits.max_depth) {
+		vm.fail("too-deep", "rules call each other more than " + std::to_string(_options.limits.max_depth) + " levels deep",
+				"end the recursion with a case, or raise the limit");
+		return Flow::Stop;
+	}
+	_children.push_back({ rule, arena.make(child), arena.copy(args.data(), args.size()), uint32_t(args.size()), {} });
+	return Flow::Next;
+}
+
+void Context::push_group(Vm &) {
+	_saved.push_back(shape);
+}
+
+void Context::pop_group(Vm &) {
+	make_current(_saved.back());
+	_saved.pop_back();
+}
+
+Flow Context::run_child(const Shape &child, Chunk body) {
+	mark_replaced();
+	if (!count_shape()) {
+		return Flow::Stop;
+	}
+	const Shape outer = shape;
+	const Body outer_body = _body;
+	const uint64_t seed = derive_seed(outer.seed, outer_body.child_count);
+	make_current(child);
+	shape.seed = seed;
+	_body = { Random(seed), 0, false };
+	_saved.push_back(shape);
+	const Flow flow = vm.run_body(body);
+	_saved.pop_back();
+	if (!_body.is_replaced) {
+		model.add_leaf(shape);
+	}
+	make_current(outer);
+	_body = outer_body;
+	++_body.child_count;
+	return flow;
+}
+
+Value Context::evaluate_on(const Shape &other, Chunk chunk) {
+	const Shape outer = shape;
+	make_current(other);
+	const Value value = vm.evaluate(chunk);
+	make_current(outer);
+	return value;
+}
+
+Look &Context::own_look() {
+	Look *copy = arena.make(*shape.look);
+	shape.look = copy;
+	return *copy;
+}
+
+void Context::own_attributes() {
+	shape.attributes = arena.copy(shape.attributes, _program.attributes.size());
+	vm.use_attributes(shape.attributes);
+}
+
+double Context::finite(const Value &value) {
+	if (!value.is_number()) {
+		return 0.0;
+	}
+	if (!std::isfinite(value.number)) {
+		vm.warn("not-finite", "this number is infinite or not a number; 0 is taken instead", "look for a division by zero or a root of a negative number");
+		return 0.0;
+	}
+	return value.number;
+}
+
+double Context::length(const Value &value, double whole) {
+	return finite(value) * (value.size_kind == SizeKind::Relative ? whole : 1.0);
+}
+
+glm::dvec3 Context::lengths(const Args &args, size_t first) {
+	return { length(args[first], shape.size.x), length(args[first + 1], shape.size.y), length(args[first + 2], shape.size.z) };
+}
+
+struct Deriver::State {
+	Context context;
+};
+
+Deriver::Deriver(const Program &program, const DeriveOptions &options) : _state(new State{ Context(program, options) }) {}
+
+Deriver::~Deriver() = default;
+
+DerivationResult Deriver::derive(const InitialShape &shape) {
+	return _state->context.derive(shape);
+}
+
+DerivationResult derive(const Program &program, const InitialShape &shape, const DeriveOptions &options) {
+	return Deriver(program, options).derive(shape);
+}
+
+} // namespace pcg::cga

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/base/random.h"
+#include "core/cga/clip.h"
+#include "core/cga/derivation.h"
+#include "core/cga/model_builder.h"
+#include "core/cga/selectors.h"
+#include "core/cga/shape.h"
+#include "core/lang/vm.h"
+
+// One running derivation: what the operations act on. A rule call only puts a copy of the current shape aside; the rules of these copies run,
+// in order, when the calling rule is through. So the depth of the grammar never lies on the machine's stack, and the memory of a rule's
+// shapes is free again when the last of its descendants is done.
+namespace pcg::cga {
+
+class Context final : public VmHost {
+public:
+	Context(const Program &program, const DeriveOptions &options);
+
+	DerivationResult derive(const InitialShape &initial_shape);
+
+	// For operations, functions and variables.
+	static Context &of(Vm &vm) { return static_cast<Context &>(vm.host()); }
+	Shape shape; // the current one
+	Arena arena;
+	GeometryBuilder builder;
+	Clipper clipper;
+	ModelBuilder model;
+	const Lot &lot() const { return _lot; }
+	const InitialShape &initial_shape() const { return *_initial_shape; }
+	const DeriveLimits &limits() const { return _options.limits; }
+	const DeriveOptions &options() const { return _options; }
+	// As it was when the running body or bracket began (CGA reference: op_center).
+	const Shape &saved_shape() const { return _saved.back(); }
+	Selector selector(uint32_t symbol) const { return _selectors[symbol]; }
+	bool is_paper_rule() const; // the running rule was written with `->`
+
+	// Runs a body on a shape of its own, which is a leaf if the body makes nothing of it. Afterwards the current shape is as before.
+	Flow run_child(const Shape &child, Chunk body);
+	Value evaluate_on(const Shape &other, Chunk chunk);
+	// The current shape gets a successor: it is no leaf itself.
+	void mark_replaced() { _body.is_replaced = true; }
+	// Copies of what shapes share, to be changed: the current shape's own afterwards.
+	Look &own_look();
+	void own_attributes();
+
+	// The number, or 0 with a warning if it is infinite or not a number.
+	double finite(const Value &value);
+	// The same in metres: '0.5 is half of `whole`.
+	double length(const Value &value, double whole);
+	glm::dvec3 lengths(const Args &args, size_t first);
+
+	// VmHost
+	Flow call_rule(Vm &vm, RuleId rule, std::span<const Value> args) override;
+	void push_group(Vm &vm) override;
+	void pop_group(Vm &vm) override;
+	void report(Diagnostic diagnostic) override { model.result().diagnostics.add(std::move(diagnostic)); }
+
+	Vm vm;
+
+private:
+	struct Body {
+		Random random;
+		uint64_t child_count = 0;
+		bool is_replaced = false;
+	};
+	// A shape that waits for its rule; `rule` Invalid: the place where the memory of a finished branch is given back.
+	struct Pending {
+		RuleId rule = RuleId::Invalid;
+		const Shape *shape = nullptr;
+		const Value *args = nullptr;
+		uint32_t arg_count = 0;
+		Arena::Mark mark;
+	};
+
+	bool set_up(const InitialShape &initial_shape);
+	RuleId start_rule();
+	void set_overrides();
+	void run_rules(RuleId start);
+	bool run_rule(const Pending &pending);
+	void make_current(const Shape &other);
+	bool count_shape(); // false: there are too many
+
+	const Program &_program;
+	DeriveOptions _options;
+	const InitialShape *_initial_shape = nullptr;
+	Lot _lot;
+	Body _body;
+	std::vector<Shape> _saved;
+	std::vector<Pending> _stack; // last first
+	std::vector<Pending> _children; // of the running rule, in order
+	std::vector<Selector> _selectors; // by symbol
+	std::vector<std::string_view> _object_tags; // by rule; empty: no object
+	Look _default_look;
+	bool _is_stopped = false; // a limit was met
+};
+
+} // namespace pcg::cga

@@ -1,0 +1,200 @@
+#include "core/cga/model_builder.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "core/cga/zone_prism.h"
+#include "core/geometry/polygon.h"
+
+namespace pcg::cga {
+
+namespace {
+
+constexpr double place_pitch = 0.6; // metres of an object's longer side for one person
+
+glm::dvec3 unit_or(glm::dvec3 vector, glm::dvec3 fallback) {
+	const double length = glm::length(vector);
+	return length > 1e-12 ? vector / length : fallback;
+}
+
+// An object seen from above lies within these bounds of its frame.
+struct Bounds {
+	glm::dvec3 low{ 0.0 }, high{ 0.0 };
+
+	explicit Bounds(const Mesh &mesh) {
+		for (size_t i = 0; i < mesh.positions.size(); ++i) {
+			const glm::dvec3 point(mesh.positions[i]);
+			low = i == 0 ? point : glm::min(low, point);
+			high = i == 0 ? point : glm::max(high, point);
+		}
+	}
+};
+
+} // namespace
+
+void ModelBuilder::begin(const Lot &lot) {
+	_lot = lot;
+	_result = DerivationResult();
+	_object_frames.clear();
+	_asset_materials.clear();
+	_last_material = 0;
+}
+
+DerivationResult ModelBuilder::take() {
+	for (size_t i = 0; i < _result.objects.size(); ++i) {
+		if (_result.objects[i].places.empty()) {
+			add_default_places(_result.objects[i], _object_frames[i]);
+		}
+	}
+	return std::move(_result);
+}
+
+uint32_t ModelBuilder::intern(const Material &material) {
+	std::vector<Material> &materials = _result.materials;
+	if (_last_material < materials.size() && materials[_last_material] == material) {
+		return _last_material;
+	}
+	const auto found = std::ranges::find(materials, material);
+	_last_material = uint32_t(found - materials.begin());
+	if (found == materials.end()) {
+		materials.push_back(material);
+	}
+	return _last_material;
+}
+
+uint32_t ModelBuilder::face_material(const GeometryFace &face, const Look &look) {
+	Material material = { {}, look.color, look.roughness, look.metallic, look.is_double_sided };
+	if (face.material > 0) {
+		material = _asset_materials[face.material - 1u];
+		material.color = look.has_color ? look.color : material.color;
+	}
+	return intern(material);
+}
+
+uint16_t ModelBuilder::asset_material(const Material &material) {
+	const auto found = std::ranges::find(_asset_materials, material);
+	const size_t index = size_t(found - _asset_materials.begin());
+	if (found == _asset_materials.end() && index < 0xFFFF) {
+		_asset_materials.push_back(material);
+	}
+	return index < 0xFFFF ? uint16_t(index + 1) : uint16_t(0);
+}
+
+void ModelBuilder::add_leaf(const Shape &shape) {
+	++_result.leaf_count;
+	if (shape.geometry == nullptr) {
+		return;
+	}
+	Frame frame = shape.frame();
+	if (shape.object < 0) {
+		frame.origin += _lot.origin;
+	} else {
+		const Frame &object = _object_frames[size_t(shape.object)];
+		frame = Frame{ glm::transpose(object.axes) * frame.axes, object.to_local(frame.origin) };
+	}
+	Mesh &mesh = shape.object < 0 ? _result.mesh : _result.objects[size_t(shape.object)].mesh;
+	for (uint32_t i = 0; i < shape.geometry->face_count; ++i) {
+		const GeometryFace &face = shape.geometry->faces[i];
+		add_face(mesh, *shape.geometry, face, shape, frame, face_material(face, *shape.look));
+	}
+}
+
+void ModelBuilder::add_face(Mesh &mesh, const Geometry &geometry, const GeometryFace &face, const Shape &shape, const Frame &to_target, uint32_t material) {
+	_points.clear();
+	const uint32_t first = geometry.first_point(face.first_loop);
+	const uint32_t outline_size = uint32_t(geometry.outline(face).size());
+	for (uint32_t i = 0; i < geometry.face_point_count(face); ++i) {
+		_points.push_back(to_target.to_parent(shape.to_scope(geometry.points[first + i])));
+	}
+	const glm::dvec3 area = area_vector(std::span(_points).first(outline_size));
+	const double size = glm::length(area);
+	if (!(size > 1e-12) || !std::isfinite(size)) { // edges, points and what was flattened away
+		return;
+	}
+	const uint32_t first_loop = uint32_t(mesh.loop_ends.size());
+	const uint32_t corner = uint32_t(mesh.positions.size());
+	mesh.positions.insert(mesh.positions.end(), _points.begin(), _points.end());
+	for (uint32_t i = 0; i < face.loop_count; ++i) {
+		mesh.loop_ends.push_back(corner + geometry.loop_ends[face.first_loop + i] - first);
+	}
+	mesh.faces.push_back({ first_loop, face.loop_count, material, glm::vec3(area / size) });
+	++_result.face_count;
+}
+
+int32_t ModelBuilder::begin_object(std::string_view tag, const Shape &shape) {
+	Frame frame = shape.frame();
+	frame.origin = frame.to_parent(glm::dvec3(0.5, 0.0, 0.5) * shape.size);
+	ModelObject object;
+	object.tag = tag;
+	object.parent = shape.object;
+	for (int axis = 0; axis < 3; ++axis) {
+		object.frame[axis] = glm::vec4(glm::vec3(frame.axes[axis]), 0.0f);
+	}
+	object.frame[3] = glm::vec4(to_world(frame.origin), 1.0f);
+	_object_frames.push_back(frame);
+	_result.objects.push_back(std::move(object));
+	return int32_t(_result.objects.size()) - 1;
+}
+
+void ModelBuilder::add_entrance(std::string_view type, const Shape &shape, double capacity) {
+	const Frame frame = shape.frame();
+	_result.entrances.push_back({ std::string(type), to_world(frame.origin), glm::vec3(frame.axes[2]), uint32_t(capacity) });
+}
+
+void ModelBuilder::add_zone(std::string_view type, const Shape &shape, double flat_height) {
+	const ZonePrism prism = zone_prism(shape, flat_height);
+	ModelZone zone;
+	zone.type = type;
+	zone.height = float(prism.height);
+	for (const glm::dvec3 &point : prism.outline) {
+		zone.polygon.push_back(to_world(point));
+	}
+	_result.zones.push_back(std::move(zone));
+}
+
+bool ModelBuilder::add_place(const Shape &shape) {
+	if (shape.object < 0) {
+		return false;
+	}
+	const Frame frame = shape.frame();
+	_result.objects[size_t(shape.object)].places.push_back({ to_world(frame.origin), glm::vec3(frame.axes[2]) });
+	return true;
+}
+
+// One person for each 0.6 m of the longer side, at the edge of the floor, looking outwards: along x on the scope's front, along z on the side
+// that looks to the middle of the lot.
+void ModelBuilder::add_default_places(ModelObject &object, const Frame &frame) {
+	const Bounds bounds(object.mesh);
+	const glm::dvec3 size = bounds.high - bounds.low;
+	const glm::dvec3 middle = 0.5 * (bounds.low + bounds.high);
+	const int along = size.x >= size.z ? 0 : 2;
+	const int across = 2 - along;
+	const bool is_low_side = along == 2 && frame.to_local(_lot.center).x < middle.x;
+	const double count = std::clamp(std::floor(size[along] / place_pitch + 1e-9), 1.0, 1000.0);
+	glm::dvec3 facing(0.0);
+	facing[across] = is_low_side ? -1.0 : 1.0;
+	for (double i = 0.0; i < count; ++i) {
+		glm::dvec3 point(0.0, bounds.low.y, 0.0);
+		point[along] = bounds.low[along] + size[along] * (i + 0.5) / count;
+		point[across] = is_low_side ? bounds.low[across] : bounds.high[across];
+		const glm::dvec3 direction = unit_or(frame.axes * facing, { 0.0, 0.0, 1.0 });
+		object.places.push_back({ to_world(frame.to_parent(point)), glm::vec3(direction) });
+	}
+}
+
+void ModelBuilder::add_report(std::string_view key, double value) {
+	auto found = std::ranges::find(_result.reports, key, &ModelReport::key);
+	if (found == _result.reports.end()) {
+		_result.reports.push_back({ std::string(key), 0, 0.0, value, value });
+		found = _result.reports.end() - 1;
+	}
+	++found->count;
+	found->sum += value;
+	found->min = std::min(found->min, value);
+	found->max = std::max(found->max, value);
+}
+
+} // namespace pcg::cga

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "core/cga/derivation.h"
+#include "core/cga/shape.h"
+
+namespace pcg::cga {
+
+// Collects what a derivation makes, in world coordinates.
+class ModelBuilder {
+public:
+	void begin(const Lot &lot);
+	DerivationResult take();
+	DerivationResult &result() { return _result; }
+
+	// The faces of a leaf, to the lot's mesh or to its object's.
+	void add_leaf(const Shape &shape);
+	// Index of the new object, whose frame stands in the middle of the floor of the shape's scope.
+	int32_t begin_object(std::string_view tag, const Shape &shape);
+	void add_entrance(std::string_view type, const Shape &shape, double capacity);
+	// A scope flat in one axis is raised along it by `flat_height`.
+	void add_zone(std::string_view type, const Shape &shape, double flat_height);
+	// False: the shape belongs to no object.
+	bool add_place(const Shape &shape);
+	// For GeometryFace::material; 0 if there are too many.
+	uint16_t asset_material(const Material &material);
+	void add_report(std::string_view key, double value);
+
+private:
+	uint32_t intern(const Material &material);
+	uint32_t face_material(const GeometryFace &face, const Look &look);
+	void add_face(Mesh &mesh, const Geometry &geometry, const GeometryFace &face, const Shape &shape, const Frame &to_target, uint32_t material);
+	void add_default_places(ModelObject &object, const Frame &frame);
+	glm::vec3 to_world(glm::dvec3 point) const { return glm::vec3(point + _lot.origin); }
+
+	Lot _lot;
+	DerivationResult _result;
+	std::vector<Frame> _object_frames; // in the derivation's coordinates
+	uint32_t _last_material = 0;
+	std::vector<Material> _asset_materials;
+	std::vector<glm::dvec3> _points;
+};
+
+} // namespace pcg::cga

@@ -1,0 +1,46 @@
+#include "core/cga/context.h"
+#include "core/cga/operations/operations.h"
+
+// NIL, report, print, label (CGA reference, sections 1.4, 6 and 7.7).
+namespace pcg::cga {
+
+namespace {
+
+Flow nil(Vm &vm, const Args &) {
+	Context::of(vm).mark_replaced();
+	return Flow::Next;
+}
+
+Flow report(Vm &vm, const Args &args) {
+	const Value &value = args[1];
+	const double number = value.is_number() ? value.number : value.is_bool() && value.boolean ? 1.0 : 0.0;
+	Context::of(vm).model.add_report(args[0].is_text() ? args[0].text->view : std::string_view(), number);
+	return Flow::Next;
+}
+
+Flow print(Vm &vm, const Args &args) {
+	constexpr size_t most_prints = 10'000;
+	auto &prints = Context::of(vm).model.result().prints;
+	if (prints.size() < most_prints) {
+		prints.push_back(value_text(args[0]));
+	}
+	return Flow::Next;
+}
+
+Flow nothing(Vm &, const Args &) {
+	return Flow::Next;
+}
+
+} // namespace
+
+void add_flow_operations(Dialect &dialect) {
+	using enum ParamKind;
+	auto &operations = dialect.operations;
+	operations.push_back({ "NIL", {}, BlockKind::None, nil, "Drops the shape." });
+	operations.push_back({ "report", { { "key", Text }, { "value", Any } }, BlockKind::None, report,
+			"Adds a number to the model's list of reports: sum, average, smallest, largest and count for each key." });
+	operations.push_back({ "print", { { "value", Any } }, BlockKind::None, print, "Writes a value to the model's list of messages." });
+	operations.push_back({ "label", { { "name", Text } }, BlockKind::None, nothing, "Accepted; there are no context queries yet that could ask for it." });
+}
+
+} // namespace pcg::cga

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/lang/dialect.h"
+
+// One function for each family of operations: adds its rows to the dialect's table.
+namespace pcg::cga {
+
+void add_transform_operations(Dialect &dialect); // t r s center ..
+void add_split_operations(Dialect &dialect);
+void add_component_operations(Dialect &dialect); // comp
+void add_extrusion_operations(Dialect &dialect);
+void add_roof_operations(Dialect &dialect);
+void add_asset_operations(Dialect &dialect); // i, primitives
+void add_appearance_operations(Dialect &dialect); // color set
+void add_flow_operations(Dialect &dialect); // NIL report print label
+void add_semantic_operations(Dialect &dialect); // entrance zone place
+
+void add_variables(Dialect &dialect); // scope.sx split.index ..
+void add_functions(Dialect &dialect); // geometry.area ..
+// Of set(): false if the variable cannot be written to.
+bool write_variable(Vm &vm, uint32_t variable, const Value &value);
+
+} // namespace pcg::cga

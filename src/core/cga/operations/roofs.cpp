@@ -1,0 +1,158 @@
+#include "core/geometry/roof.h"
+
+#include <glm/matrix.hpp>
+
+#include "core/cga/context.h"
+#include "core/cga/operations/operations.h"
+#include "core/geometry/polygon.h"
+
+// Roofs over each face (CGA reference, section 5.4).
+namespace pcg::cga {
+
+namespace {
+
+struct RoofArgs {
+	RoofSlope slope;
+	double first = 0.0, second = 0.0; // overhangs
+	bool is_even = false;
+	int edge = -1;
+};
+
+using RoofMaker = Roof (*)(const RoofOutline &outline, const RoofArgs &args);
+
+RoofOutline flat_outline(const Geometry &geometry, const GeometryFace &face, const Frame &frame) {
+	RoofOutline outline;
+	for (uint32_t i = 0; i < face.loop_count; ++i) {
+		outline.emplace_back();
+		for (const glm::dvec3 &point : geometry.loop(face.first_loop + i)) {
+			const glm::dvec3 local = frame.to_local(point);
+			outline.back().push_back({ local.x, local.y });
+		}
+	}
+	return outline;
+}
+
+void add_loop(GeometryBuilder &builder, const std::vector<glm::dvec3> &loop, const Frame &frame) {
+	for (const glm::dvec3 &point : loop) {
+		builder.add_point(frame.to_parent(point));
+	}
+	builder.end_loop();
+}
+
+Flow make_roof(Context &context, const RoofArgs &args, RoofMaker maker) {
+	Shape &shape = context.shape;
+	const Geometry *geometry = baked(shape, context.arena);
+	if (geometry == nullptr) {
+		return Flow::Next;
+	}
+	GeometryBuilder builder;
+	bool is_complete = true;
+	for (uint32_t f = 0; f < geometry->face_count; ++f) {
+		const GeometryFace &face = geometry->faces[f];
+		const auto points = geometry->outline(face);
+		if (points.size() < 3) {
+			continue;
+		}
+		const Frame frame = { axes_from_z(face_normal(*geometry, face), points[1] - points[0]), points[0] };
+		const Roof roof = maker(flat_outline(*geometry, face, frame), args);
+		is_complete &= roof.is_complete;
+		for (const RoofFace &part : roof.faces) {
+			add_loop(builder, part.outline, frame);
+			for (const auto &hole : part.holes) {
+				add_loop(builder, hole, frame);
+			}
+			builder.end_face();
+		}
+	}
+	if (!is_complete) {
+		context.vm.warn("broken-roof", "this roof is incomplete: its outline crosses itself or is too small");
+	}
+	const glm::dvec3 normal = face_normal(*geometry, geometry->faces[0]);
+	if (const Geometry *roof = builder.finish(context.arena, is_complete)) {
+		set_geometry(shape, roof);
+		turn_scope(shape, axes_from_y(normal, { 1.0, 0.0, 0.0 }), context.arena);
+	}
+	return Flow::Next;
+}
+
+// Angles outside of (0, 90) and heights that are not positive make no roof.
+bool read_slope(Context &context, const Value &value, bool is_height, RoofSlope &slope) {
+	slope = { context.finite(value), is_height };
+	if (slope.value > 0.0 && (is_height || slope.value < 89.9)) {
+		return true;
+	}
+	context.vm.warn("bad-roof-slope", "a roof needs an angle between 0 and 90 degrees or a positive height; the face is left as it is");
+	return false;
+}
+
+// Arguments from `first` on: overhangs, even, edge. `user` of the spec is the maker.
+template <RoofMaker maker> Flow roof(Vm &vm, const Args &args, bool is_height, size_t first) {
+	Context &context = Context::of(vm);
+	RoofArgs roof_args;
+	if (!read_slope(context, args[first], is_height, roof_args.slope)) {
+		return Flow::Next;
+	}
+	size_t numbers = 0;
+	for (size_t i = first + 1; i < args.count(); ++i) {
+		if (args[i].is_bool()) {
+			roof_args.is_even = args[i].boolean;
+			numbers = 2;
+		} else {
+			const double value = context.finite(args[i]);
+			(numbers == 0 ? roof_args.first : roof_args.second) = numbers < 2 ? value : roof_args.second;
+			roof_args.edge = numbers == 2 ? int(value) : roof_args.edge;
+			++numbers;
+		}
+	}
+	return make_roof(context, roof_args, maker);
+}
+
+template <RoofMaker maker> Flow by_angle(Vm &vm, const Args &args) {
+	return roof<maker>(vm, args, false, 0);
+}
+template <RoofMaker maker> Flow by_word(Vm &vm, const Args &args) {
+	return roof<maker>(vm, args, args[0].word == 1, 1);
+}
+
+Roof hip(const RoofOutline &outline, const RoofArgs &args) {
+	return roof_hip(outline, args.slope, args.first, args.is_even);
+}
+Roof gable(const RoofOutline &outline, const RoofArgs &args) {
+	return roof_gable(outline, args.slope, args.first, args.second, args.is_even, args.edge);
+}
+Roof ridge(const RoofOutline &outline, const RoofArgs &args) {
+	return roof_ridge(outline, args.slope);
+}
+Roof shed(const RoofOutline &outline, const RoofArgs &args) {
+	const double edge = args.first;
+	return roof_shed(outline, args.slope, edge >= 0.0 && edge < 1e6 ? uint32_t(edge) % uint32_t(outline[0].size()) : 0);
+}
+Roof pyramid(const RoofOutline &outline, const RoofArgs &args) {
+	return roof_pyramid(outline, args.slope);
+}
+
+template <RoofMaker maker> void add_roof(Dialect &dialect, std::string_view name, std::vector<ParamSpec> more, std::string_view help) {
+	using enum ParamKind;
+	std::vector<ParamSpec> with_angle = { { "angle", Number } };
+	std::vector<ParamSpec> with_word = { { "kind", Word, "byAngle byHeight" }, { "value", Number } };
+	with_angle.insert(with_angle.end(), more.begin(), more.end());
+	with_word.insert(with_word.end(), more.begin(), more.end());
+	dialect.operations.push_back({ name, with_word, BlockKind::None, by_word<maker>, help });
+	dialect.operations.push_back({ name, with_angle, BlockKind::None, by_angle<maker>, help });
+}
+
+} // namespace
+
+void add_roof_operations(Dialect &dialect) {
+	using enum ParamKind;
+	const ParamSpec even = { "even", Bool, {}, true };
+	const ParamSpec edge = { "edge", Number, {}, true };
+	add_roof<hip>(dialect, "roofHip", { { "overhang", Number, {}, true }, even }, "A roof with a sloped plane on each edge.");
+	add_roof<gable>(dialect, "roofGable", { { "overhangX", Number, {}, true }, { "overhangY", Number, {}, true }, even, edge },
+			"A roof with upright gables at its ends.");
+	add_roof<ridge>(dialect, "roofRidge", {}, "Two planes to one ridge along the first edge's direction.");
+	add_roof<shed>(dialect, "roofShed", { edge }, "One plane that rises from an edge.");
+	add_roof<pyramid>(dialect, "roofPyramid", {}, "Triangles to a point above the middle.");
+}
+
+} // namespace pcg::cga

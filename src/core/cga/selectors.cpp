@@ -1,0 +1,143 @@
+#include "core/cga/selectors.h"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/matrix.hpp>
+
+namespace pcg::cga {
+
+namespace {
+
+using enum SelectorKind;
+
+constexpr std::array<std::pair<std::string_view, SelectorKind>, 14> plain_words = { {
+		{ "all", All },
+		{ "front", Front },
+		{ "back", Back },
+		{ "left", Left },
+		{ "right", Right },
+		{ "top", Top },
+		{ "bottom", Bottom },
+		{ "side", Side },
+		{ "vertical", Vertical },
+		{ "aslant", Aslant },
+		{ "horizontal", Horizontal },
+		{ "nutant", Nutant },
+		{ "border", Border },
+		{ "inside", Inside },
+} };
+
+constexpr std::array<std::pair<std::string_view, SelectorKind>, 7> world_words = { {
+		{ "south", Front },
+		{ "north", Back },
+		{ "west", Left },
+		{ "east", Right },
+		{ "up", Top },
+		{ "down", Bottom },
+		{ "side", Side },
+} };
+
+template <size_t N> SelectorKind find(const std::array<std::pair<std::string_view, SelectorKind>, N> &words, std::string_view word) {
+	for (const auto &[name, kind] : words) {
+		if (name == word) {
+			return kind;
+		}
+	}
+	return Unknown;
+}
+
+// Which side of its box a direction looks to: the axis with the largest component; z before x before y where they are equal.
+SelectorKind side_of(glm::dvec3 direction) {
+	constexpr double margin = 1e-9;
+	const glm::dvec3 size = glm::abs(direction);
+	if (size.z >= size.x - margin && size.z >= size.y - margin) {
+		return direction.z > 0.0 ? Front : Back;
+	}
+	if (size.x >= size.y - margin) {
+		return direction.x > 0.0 ? Right : Left;
+	}
+	return direction.y > 0.0 ? Top : Bottom;
+}
+
+bool matches_slope(SelectorKind kind, double sine) {
+	const double degrees = std::asin(glm::clamp(sine, -1.0, 1.0)) * 57.29577951308232;
+	switch (kind) {
+		case Vertical:
+			return degrees > -11.25 && degrees <= 11.25;
+		case Aslant:
+			return degrees > 11.25 && degrees <= 78.75;
+		case Nutant:
+			return degrees > -78.75 && degrees <= -11.25;
+		default: // Horizontal, and Side, which is everything else
+			return (degrees > 78.75 || degrees <= -78.75) == (kind == Horizontal);
+	}
+}
+
+glm::dvec3 in_system(glm::dvec3 normal, SelectorSystem system, const Shape &shape, const Lot &lot) {
+	if (system == SelectorSystem::Scope) { // a negative size turns the scope's sides around
+		return glm::mix(normal, -normal, glm::lessThan(shape.size, glm::dvec3(0.0)));
+	}
+	const glm::dvec3 direction = shape.frame().axes * normal;
+	switch (system) {
+		case SelectorSystem::Object:
+			return glm::transpose(lot.object_axes) * direction;
+		case SelectorSystem::Street:
+			return glm::transpose(lot.street_axes) * direction;
+		default:
+			return direction;
+	}
+}
+
+} // namespace
+
+Selector selector_of(std::string_view word) {
+	if (word == "streetSide") { // of old files
+		return { Front, SelectorSystem::Street };
+	}
+	const size_t dot = word.find('.');
+	if (dot == std::string_view::npos) {
+		return { find(plain_words, word), SelectorSystem::Scope };
+	}
+	const std::string_view system = word.substr(0, dot), rest = word.substr(dot + 1);
+	if (system == "world") {
+		return { find(world_words, rest), SelectorSystem::World };
+	}
+	const SelectorKind kind = find(plain_words, rest);
+	const bool is_side = kind >= Front && kind <= Side;
+	if (is_side && (system == "object" || system == "street")) {
+		return { kind, system == "object" ? SelectorSystem::Object : SelectorSystem::Street };
+	}
+	return {};
+}
+
+bool matches(Selector selector, const Component &component, const Shape &shape, const Lot &lot) {
+	switch (selector.kind) {
+		case Unknown:
+			return false;
+		case All:
+			return true;
+		case Border:
+			return component.is_border;
+		case Inside:
+			return !component.is_border;
+		case Vertical:
+		case Aslant:
+		case Nutant:
+		case Horizontal:
+			return matches_slope(selector.kind, in_system(component.normal, selector.system, shape, lot).y);
+		case Side:
+			if (selector.system == SelectorSystem::Scope) {
+				return matches_slope(Side, in_system(component.normal, selector.system, shape, lot).y);
+			} else {
+				const SelectorKind side = side_of(in_system(component.normal, selector.system, shape, lot));
+				return selector.system == SelectorSystem::Street ? side == Left || side == Right : side != Top && side != Bottom;
+			}
+		default:
+			return side_of(in_system(component.normal, selector.system, shape, lot)) == selector.kind;
+	}
+}
+
+} // namespace pcg::cga

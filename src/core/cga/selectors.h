@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include <glm/vec3.hpp>
+
+#include "core/cga/shape.h"
+
+// What the words of comp() select (CGA reference: op_comp; section 4.1).
+namespace pcg::cga {
+
+enum class SelectorKind : uint8_t {
+	Unknown,
+	All,
+	Front,
+	Back,
+	Left,
+	Right,
+	Top,
+	Bottom,
+	Side,
+	Vertical,
+	Aslant,
+	Horizontal,
+	Nutant,
+	Border,
+	Inside,
+};
+
+enum class SelectorSystem : uint8_t { Scope, Object, World, Street };
+
+struct Selector {
+	SelectorKind kind = SelectorKind::Unknown;
+	SelectorSystem system = SelectorSystem::Scope;
+};
+
+// Unknown for words that select nothing.
+Selector selector_of(std::string_view word);
+
+// A face, edge or vertex as selectors see it.
+struct Component {
+	glm::dvec3 normal{ 0.0 }; // direction that it faces, in scope coordinates, unit
+	bool is_border = false;
+};
+
+bool matches(Selector selector, const Component &component, const Shape &shape, const Lot &lot);
+
+} // namespace pcg::cga
