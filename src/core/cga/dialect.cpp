@@ -1,0 +1,38 @@
+#include "core/cga/dialect.h"
+
+#include "core/cga/operations/operations.h"
+
+namespace pcg::cga {
+
+namespace {
+
+Dialect make_dialect() {
+	Dialect dialect;
+	dialect.name = "cga";
+	dialect.title = "CGA shape grammar";
+	dialect.locals = Dialect::Locals::Lexical;
+	dialect.rule_calls = Dialect::RuleCalls::ByHost;
+	dialect.unknown_names = Dialect::UnknownNames::LeafSymbol;
+	add_math_functions(dialect);
+	add_functions(dialect);
+	add_variables(dialect);
+	add_transform_operations(dialect);
+	add_split_operations(dialect);
+	add_component_operations(dialect);
+	add_extrusion_operations(dialect);
+	add_roof_operations(dialect);
+	add_asset_operations(dialect);
+	add_appearance_operations(dialect);
+	add_flow_operations(dialect);
+	add_semantic_operations(dialect);
+	return dialect;
+}
+
+} // namespace
+
+const Dialect &cga_dialect() {
+	static const Dialect dialect = make_dialect();
+	return dialect;
+}
+
+} // namespace pcg::cga

@@ -1,0 +1,186 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "core/cga/color.h"
+#include "core/cga/context.h"
+#include "core/cga/operations/operations.h"
+
+// What rules read of their shape (CGA reference: attr_scope, attr_pivot, attr_material, section 3).
+namespace pcg::cga {
+
+namespace {
+
+using Writer = bool (*)(Context &context, double value);
+
+struct Row {
+	std::string_view name;
+	ValueType type;
+	VariableHandler read;
+	Writer write; // of numbers; nullptr: read only
+	std::string_view help;
+};
+
+Shape &shape_of(Vm &vm) {
+	return Context::of(vm).shape;
+}
+
+template <int axis> Value read_position(Vm &vm) { return Value::of(shape_of(vm).position[axis]); }
+template <int axis> Value read_rotation(Vm &vm) { return Value::of(euler_from_rotation(shape_of(vm).rotation)[axis]); }
+template <int axis> Value read_size(Vm &vm) { return Value::of(shape_of(vm).size[axis]); }
+template <int axis> bool write_position(Context &context, double value) {
+	context.shape.position[axis] = value;
+	return true;
+}
+template <int axis> bool write_rotation(Context &context, double value) {
+	glm::dvec3 angles = euler_from_rotation(context.shape.rotation);
+	angles[axis] = value;
+	context.shape.rotation = rotation_from_euler(angles);
+	return true;
+}
+template <int axis> bool write_size(Context &context, double value) {
+	Shape &shape = context.shape;
+	const double factor = shape.size[axis] != 0.0 ? value / shape.size[axis] : 1.0;
+	shape.geometry_offset[axis] *= factor;
+	shape.geometry_scale[axis] *= factor;
+	shape.size[axis] = value;
+	return true;
+}
+
+Frame pivot_in_object(Vm &vm) {
+	const Context &context = Context::of(vm);
+	const Frame object = { context.lot().object_axes, glm::dvec3(0.0) };
+	const Frame &pivot = *context.shape.pivot;
+	return { glm::transpose(object.axes) * pivot.axes, object.to_local(pivot.origin) };
+}
+template <int axis> Value read_pivot(Vm &vm) { return Value::of(pivot_in_object(vm).origin[axis]); }
+template <int axis> Value read_pivot_turn(Vm &vm) { return Value::of(euler_from_rotation(pivot_in_object(vm).axes)[axis]); }
+template <int axis> Value read_origin(Vm &vm) { return Value::of(Context::of(vm).lot().origin[axis]); }
+
+template <int channel> Value read_color(Vm &vm) { return Value::of(double(shape_of(vm).look->color[channel])); }
+template <int channel> bool write_color(Context &context, double value) {
+	Look &look = context.own_look();
+	look.color[channel] = float(std::clamp(value, 0.0, 1.0));
+	look.has_color = true;
+	return true;
+}
+template <float Look::*member> Value read_look(Vm &vm) { return Value::of(double(shape_of(vm).look->*member)); }
+template <float Look::*member> bool write_look(Context &context, double value) {
+	context.own_look().*member = float(std::clamp(value, 0.0, 1.0));
+	return true;
+}
+bool write_nothing(Context &, double) { return true; }
+Value read_zero(Vm &) { return Value::of(0.0); }
+
+template <uint32_t Shape::*member> Value read_index(Vm &vm) { return Value::of(double(shape_of(vm).*member)); }
+
+Value read_selector(Vm &vm) {
+	const uint32_t symbol = shape_of(vm).comp_selector;
+	return Value::of(symbol == no_symbol ? vm.make_text("") : &vm.program().texts[symbol]);
+}
+Value read_elevation(Vm &vm) {
+	const Context &context = Context::of(vm);
+	return Value::of(context.shape.frame().origin.y + context.lot().origin.y);
+}
+Value read_name(Vm &vm) { return Value::of(vm.make_text(Context::of(vm).initial_shape().name)); }
+Value read_start_rule(Vm &vm) { return Value::of(vm.make_text(Context::of(vm).initial_shape().start_rule)); }
+// As a number that fits a double exactly.
+Value read_seed(Vm &vm) { return Value::of(double(shape_of(vm).seed >> 33)); }
+bool write_seed(Context &context, double value) {
+	context.shape.seed = derive_seed(uint64_t(int64_t(std::clamp(value, -9e15, 9e15))), 0);
+	return true;
+}
+
+constexpr ValueType number = ValueType::Number;
+constexpr ValueType text = ValueType::Text;
+
+constexpr Row rows[] = {
+	{ "scope.tx", number, read_position<0>, write_position<0>, "Place of the scope in its pivot, metres." },
+	{ "scope.ty", number, read_position<1>, write_position<1>, "Place of the scope in its pivot, metres." },
+	{ "scope.tz", number, read_position<2>, write_position<2>, "Place of the scope in its pivot, metres." },
+	{ "scope.rx", number, read_rotation<0>, write_rotation<0>, "Turn of the scope in its pivot, degrees." },
+	{ "scope.ry", number, read_rotation<1>, write_rotation<1>, "Turn of the scope in its pivot, degrees." },
+	{ "scope.rz", number, read_rotation<2>, write_rotation<2>, "Turn of the scope in its pivot, degrees." },
+	{ "scope.sx", number, read_size<0>, write_size<0>, "Size of the scope, metres." },
+	{ "scope.sy", number, read_size<1>, write_size<1>, "Size of the scope, metres." },
+	{ "scope.sz", number, read_size<2>, write_size<2>, "Size of the scope, metres." },
+	{ "scope.elevation", number, read_elevation, nullptr, "Height of the scope's origin in the world, metres." },
+	{ "pivot.px", number, read_pivot<0>, nullptr, "Place of the pivot in the object's system, metres." },
+	{ "pivot.py", number, read_pivot<1>, nullptr, "Place of the pivot in the object's system, metres." },
+	{ "pivot.pz", number, read_pivot<2>, nullptr, "Place of the pivot in the object's system, metres." },
+	{ "pivot.ox", number, read_pivot_turn<0>, nullptr, "Turn of the pivot in the object's system, degrees." },
+	{ "pivot.oy", number, read_pivot_turn<1>, nullptr, "Turn of the pivot in the object's system, degrees." },
+	{ "pivot.oz", number, read_pivot_turn<2>, nullptr, "Turn of the pivot in the object's system, degrees." },
+	{ "initialShape.name", text, read_name, nullptr, "Name of the lot." },
+	{ "initialShape.startRule", text, read_start_rule, nullptr, "The rule that the host asked for; empty for the file's own." },
+	{ "initialShape.origin.px", number, read_origin<0>, nullptr, "Place of the object's system in the world, metres." },
+	{ "initialShape.origin.py", number, read_origin<1>, nullptr, "Place of the object's system in the world, metres." },
+	{ "initialShape.origin.pz", number, read_origin<2>, nullptr, "Place of the object's system in the world, metres." },
+	{ "split.index", number, read_index<&Shape::split_index>, nullptr, "Number of this part in the last split, from 0." },
+	{ "split.total", number, read_index<&Shape::split_total>, nullptr, "How many parts the last split made." },
+	{ "comp.index", number, read_index<&Shape::comp_index>, nullptr, "Number of this component for its selector, from 0." },
+	{ "comp.total", number, read_index<&Shape::comp_total>, nullptr, "How many components its selector took." },
+	{ "comp.sel", text, read_selector, nullptr, "The selector that took this component." },
+	{ "seedian", number, read_seed, write_seed, "The seed of this shape." },
+	{ "material.color.r", number, read_color<0>, write_color<0>, "Red, 0 to 1." },
+	{ "material.color.g", number, read_color<1>, write_color<1>, "Green, 0 to 1." },
+	{ "material.color.b", number, read_color<2>, write_color<2>, "Blue, 0 to 1." },
+	{ "material.color.rgb", text, nullptr, nullptr, "The colour as \"#rrggbb\"." },
+	{ "material.opacity", number, read_color<3>, write_color<3>, "0 is clear, 1 is solid." },
+	{ "material.roughness", number, read_look<&Look::roughness>, write_look<&Look::roughness>, "0 is a mirror, 1 is dull." },
+	{ "material.metallic", number, read_look<&Look::metallic>, write_look<&Look::metallic>, "0 or 1." },
+	{ "material.shininess", number, read_zero, write_nothing, "Accepted without effect; set material.roughness." },
+	{ "material.reflectivity", number, read_zero, write_nothing, "Accepted without effect; set material.roughness." },
+	{ "trim.horizontal", ValueType::Bool, nullptr, write_nothing, "Accepted without effect: nothing is trimmed yet." },
+	{ "trim.vertical", ValueType::Bool, nullptr, write_nothing, "Accepted without effect: nothing is trimmed yet." },
+};
+
+Value read_color_text(Vm &vm) {
+	constexpr std::string_view digits = "0123456789abcdef";
+	std::string result = "#";
+	for (int i = 0; i < 3; ++i) {
+		const int value = int(std::lround(shape_of(vm).look->color[i] * 255.0f));
+		result += digits[size_t(value / 16)];
+		result += digits[size_t(value % 16)];
+	}
+	return Value::of(vm.make_text(result));
+}
+
+Value read_false(Vm &) { return Value::of(false); }
+
+VariableHandler reader_of(const Row &row) {
+	if (row.read != nullptr) {
+		return row.read;
+	}
+	return row.type == text ? read_color_text : read_false;
+}
+
+} // namespace
+
+void add_variables(Dialect &dialect) {
+	for (const Row &row : rows) {
+		dialect.variables.push_back({ row.name, row.type, reader_of(row), row.help, row.write != nullptr || row.name == "material.color.rgb" });
+	}
+}
+
+bool write_variable(Vm &vm, uint32_t variable, const Value &value) {
+	Context &context = Context::of(vm);
+	const Row &row = rows[variable];
+	if (row.name == "material.color.rgb") {
+		glm::vec4 color = context.shape.look->color;
+		if (!value.is_text() || !parse_color(value.text->view, color)) {
+			return false;
+		}
+		Look &look = context.own_look();
+		look.color = color;
+		look.has_color = true;
+		return true;
+	}
+	const bool is_right_type = row.type == ValueType::Bool ? value.is_bool() : value.is_number();
+	return is_right_type && row.write != nullptr && row.write(context, context.finite(value));
+}
+
+} // namespace pcg::cga
