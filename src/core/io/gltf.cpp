@@ -1,0 +1,262 @@
+#include "core/io/gltf.h"
+
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+// The library's implementation lives in this file alone. Pictures are none of its business here: textures stay files.
+#define TINYGLTF_IMPLEMENTATION
+#define TINYGLTF_NO_STB_IMAGE
+#define TINYGLTF_NO_STB_IMAGE_WRITE
+#define TINYGLTF_NOEXCEPTION
+#define JSON_NOEXCEPTION
+#include <tiny_gltf.h>
+
+#include "core/io/atomic_file.h"
+
+namespace pcg {
+
+namespace {
+
+using Extras = std::map<std::string, tinygltf::Value>;
+
+// Texts of rule files may hold any bytes, JSON only UTF-8.
+std::string valid_utf8(const std::string &text) {
+	const std::string quoted = nlohmann::json(text).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+	return nlohmann::json::parse(quoted, nullptr, false).get<std::string>();
+}
+
+// glTF's factors are linear.
+double to_linear(float srgb) {
+	const double value = std::fmin(1.0, std::fmax(0.0, double(srgb)));
+	return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
+tinygltf::Material to_gltf(const Material &material) {
+	tinygltf::Material result;
+	result.name = valid_utf8(material.name);
+	result.pbrMetallicRoughness.baseColorFactor = { to_linear(material.color.r), to_linear(material.color.g), to_linear(material.color.b),
+		std::fmin(1.0, std::fmax(0.0, double(material.color.a))) };
+	result.pbrMetallicRoughness.roughnessFactor = std::fmin(1.0, std::fmax(0.0, double(material.roughness)));
+	result.pbrMetallicRoughness.metallicFactor = std::fmin(1.0, std::fmax(0.0, double(material.metallic)));
+	result.alphaMode = material.color.a < 1.0f ? "BLEND" : "OPAQUE";
+	result.doubleSided = material.is_double_sided;
+	return result;
+}
+
+// Collects nodes, meshes and materials; equal materials become one, and so do equal meshes of which there may be many.
+class GlbBuilder {
+public:
+	static constexpr int no_parent = -1;
+	static constexpr int no_mesh = -1;
+
+	// The mesh's index, or no_mesh if it has no area.
+	int add_mesh(const Mesh &mesh, const std::vector<Material> &materials, const std::string &name) {
+		const std::vector<MeshSurface> surfaces = make_surfaces(mesh);
+		return surfaces.empty() ? no_mesh : add_surfaces(surfaces, add_materials(surfaces, materials), name);
+	}
+
+	// The same, but an equal mesh that was added by this function is used again.
+	int add_shared_mesh(const Mesh &mesh, const std::vector<Material> &materials, const std::string &name) {
+		const std::vector<MeshSurface> surfaces = make_surfaces(mesh);
+		if (surfaces.empty()) {
+			return no_mesh;
+		}
+		const std::vector<int> indices = add_materials(surfaces, materials);
+		const auto [place, is_new] = _shared_meshes.emplace(content_of(surfaces, indices), int(_model.meshes.size()));
+		return is_new ? add_surfaces(surfaces, indices, name) : place->second;
+	}
+
+	int add_node(const std::string &name, int mesh, int parent, Extras extras = {}) {
+		tinygltf::Node node;
+		node.name = valid_utf8(name);
+		node.mesh = mesh;
+		if (!extras.empty()) {
+			node.extras = tinygltf::Value(std::move(extras));
+		}
+		const int index = int(_model.nodes.size());
+		_model.nodes.push_back(std::move(node));
+		(parent == no_parent ? _roots : _model.nodes[size_t(parent)].children).push_back(index);
+		return index;
+	}
+
+	void place_node(int node, const glm::mat4 &frame) {
+		for (int column = 0; column < 4; ++column) {
+			for (int row = 0; row < 4; ++row) {
+				_model.nodes[size_t(node)].matrix.push_back(double(frame[column][row]));
+			}
+		}
+	}
+
+	bool write(const std::string &path, Diagnostics &diagnostics) {
+		finish_buffer();
+		tinygltf::Scene scene;
+		scene.nodes = _roots;
+		_model.scenes.push_back(std::move(scene));
+		_model.defaultScene = 0;
+		_model.asset.version = "2.0";
+		_model.asset.generator = "PCG for Godot";
+		std::ostringstream stream;
+		tinygltf::TinyGLTF writer;
+		if (!writer.WriteGltfSceneToStream(&_model, stream, false, true)) {
+			diagnostics.add({ Severity::Error, "cannot-write-file", path, 0, 0, "the model does not fit into a glTF file", "write fewer lots", {} });
+			return false;
+		}
+		return write_file(path, stream.str(), diagnostics);
+	}
+
+private:
+	enum View { Indices, Positions, Normals, ViewCount };
+	using MaterialKey = std::tuple<std::string, float, float, float, float, float, float, bool>;
+
+	int add_material(const Material &m) {
+		const MaterialKey key{ m.name, m.color.r, m.color.g, m.color.b, m.color.a, m.roughness, m.metallic, m.is_double_sided };
+		const auto [place, is_new] = _material_indices.emplace(key, int(_model.materials.size()));
+		if (is_new) {
+			_model.materials.push_back(to_gltf(m));
+		}
+		return place->second;
+	}
+
+	std::vector<int> add_materials(const std::vector<MeshSurface> &surfaces, const std::vector<Material> &materials) {
+		std::vector<int> indices;
+		for (const MeshSurface &surface : surfaces) {
+			indices.push_back(add_material(surface.material < materials.size() ? materials[surface.material] : Material()));
+		}
+		return indices;
+	}
+
+	// Everything that makes two meshes equal, as bytes.
+	static std::string content_of(const std::vector<MeshSurface> &surfaces, const std::vector<int> &materials) {
+		std::string content;
+		const auto append = [&content](const auto &list) {
+			content.append(reinterpret_cast<const char *>(list.data()), list.size() * sizeof(list[0]));
+		};
+		append(materials);
+		for (const MeshSurface &surface : surfaces) {
+			append(surface.positions);
+			append(surface.normals);
+			append(surface.indices);
+		}
+		return content;
+	}
+
+	int add_surfaces(const std::vector<MeshSurface> &surfaces, const std::vector<int> &materials, const std::string &name) {
+		tinygltf::Mesh mesh;
+		mesh.name = valid_utf8(name);
+		for (size_t i = 0; i < surfaces.size(); ++i) {
+			tinygltf::Primitive primitive;
+			primitive.mode = TINYGLTF_MODE_TRIANGLES;
+			primitive.material = materials[i];
+			primitive.indices = add_accessor(Indices, surfaces[i].indices, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR);
+			const int positions = add_accessor(Positions, surfaces[i].positions, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3);
+			set_bounds(_model.accessors[size_t(positions)], surfaces[i].positions);
+			primitive.attributes["POSITION"] = positions;
+			primitive.attributes["NORMAL"] = add_accessor(Normals, surfaces[i].normals, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3);
+			mesh.primitives.push_back(std::move(primitive));
+		}
+		_model.meshes.push_back(std::move(mesh));
+		return int(_model.meshes.size()) - 1;
+	}
+
+	template <typename T> int add_accessor(View view, const std::vector<T> &items, int component, int type) {
+		tinygltf::Accessor accessor;
+		accessor.bufferView = view;
+		accessor.byteOffset = _bytes[view].size();
+		accessor.componentType = component;
+		accessor.type = type;
+		accessor.count = items.size();
+		const size_t size = items.size() * sizeof(T);
+		_bytes[view].resize(accessor.byteOffset + size);
+		std::memcpy(_bytes[view].data() + accessor.byteOffset, items.data(), size);
+		_model.accessors.push_back(std::move(accessor));
+		return int(_model.accessors.size()) - 1;
+	}
+
+	static void set_bounds(tinygltf::Accessor &accessor, const std::vector<glm::vec3> &points) {
+		glm::vec3 low = points[0], high = points[0];
+		for (const glm::vec3 &point : points) {
+			for (int i = 0; i < 3; ++i) {
+				low[i] = std::fmin(low[i], point[i]);
+				high[i] = std::fmax(high[i], point[i]);
+			}
+		}
+		accessor.minValues = { low.x, low.y, low.z };
+		accessor.maxValues = { high.x, high.y, high.z };
+	}
+
+	// All numbers have four bytes, so the three views one behind the other stay aligned. A model without meshes has no buffer.
+	void finish_buffer() {
+		if (_model.meshes.empty()) {
+			return;
+		}
+		tinygltf::Buffer buffer;
+		for (int i = 0; i < ViewCount; ++i) {
+			tinygltf::BufferView view;
+			view.buffer = 0;
+			view.byteOffset = buffer.data.size();
+			view.byteLength = _bytes[i].size();
+			view.byteStride = i == Indices ? 0 : sizeof(glm::vec3);
+			view.target = i == Indices ? TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER : TINYGLTF_TARGET_ARRAY_BUFFER;
+			buffer.data.insert(buffer.data.end(), _bytes[i].begin(), _bytes[i].end());
+			_bytes[i] = {};
+			_model.bufferViews.push_back(std::move(view));
+		}
+		_model.buffers.push_back(std::move(buffer));
+	}
+
+	tinygltf::Model _model;
+	std::vector<int> _roots;
+	std::vector<unsigned char> _bytes[ViewCount];
+	std::map<MaterialKey, int> _material_indices;
+	std::map<std::string, int> _shared_meshes;
+};
+
+void add_objects(GlbBuilder &builder, const cga::DerivationResult &model, const std::vector<ObjectId> &ids, int parent) {
+	for (size_t i = 0; i < model.objects.size(); ++i) {
+		const cga::ModelObject &object = model.objects[i];
+		Extras extras = { { "type", tinygltf::Value(valid_utf8(object.tag)) } };
+		if (i < ids.size()) {
+			extras.emplace("object", tinygltf::Value(int(index_of(ids[i]))));
+		}
+		const int mesh = builder.add_shared_mesh(object.mesh, model.materials, object.tag);
+		builder.place_node(builder.add_node(object.tag, mesh, parent, std::move(extras)), object.frame);
+	}
+}
+
+void add_lot(GlbBuilder &builder, const City &city, LotId id, int parent) {
+	const LotBuild &lot = city.lots[index_of(id)];
+	const std::string name = lot_name(city.layout, id);
+	Extras extras = { { "lot", tinygltf::Value(int(index_of(id))) }, { "type", tinygltf::Value(valid_utf8(city.layout.lot(id).type)) } };
+	const int mesh = builder.add_mesh(lot.model.mesh, lot.model.materials, name);
+	const int node = builder.add_node(name, mesh, parent, std::move(extras));
+	add_objects(builder, lot.model, lot.objects, node);
+}
+
+} // namespace
+
+bool write_glb(const City &city, const std::string &path, Diagnostics &diagnostics) {
+	GlbBuilder builder;
+	builder.add_node("streets", builder.add_mesh(city.ground.streets, city.ground.materials, "streets"), GlbBuilder::no_parent);
+	for (size_t i = 0; i < city.layout.blocks.size(); ++i) {
+		const std::string name = "block " + std::to_string(i);
+		const int mesh = i < city.ground.blocks.size() ? builder.add_mesh(city.ground.blocks[i], city.ground.materials, name) : GlbBuilder::no_mesh;
+		const int node = builder.add_node(name, mesh, GlbBuilder::no_parent);
+		for (LotId lot : city.layout.blocks[i].lots) {
+			add_lot(builder, city, lot, node);
+		}
+	}
+	return builder.write(path, diagnostics);
+}
+
+bool write_glb(const cga::DerivationResult &model, const std::string &name, const std::string &path, Diagnostics &diagnostics) {
+	GlbBuilder builder;
+	const int node = builder.add_node(name, builder.add_mesh(model.mesh, model.materials, name), GlbBuilder::no_parent);
+	add_objects(builder, model, {}, node);
+	return builder.write(path, diagnostics);
+}
+
+} // namespace pcg
