@@ -108,7 +108,7 @@ def run_import_check():
 
 
 def run_godot(options):
-    command = [options.engine, "--headless", "--path", ".", "--script", "tests/godot/run.gd"]
+    command = [options.engine, "--headless", "--no-header", "--path", ".", "--script", "tests/godot/run.gd"]
     status, text = run(command + (["--", options.word] if options.word else []))
     marker = re.search(r"^godot suite ended: (\d+) passed, (\d+) failed$", text, re.MULTILINE)
     if not marker:

@@ -49,7 +49,7 @@ missing_packages() {
 		case $probe in
 		"") ;;
 		/*) [ -e "$probe" ] || echo "$package" ;;
-		*) command -v ${probe%% *} >/dev/null || echo "$package" ;;
+		*) command -v "${probe%% *}" >/dev/null || echo "$package" ;;
 		esac
 	done <<<"$PACKAGES"
 }
