@@ -1,0 +1,170 @@
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include "cli/args.h"
+#include "core/agenda/agenda_generator.h"
+#include "core/io/agenda_csv.h"
+#include "core/io/atomic_file.h"
+#include "core/io/city_json.h"
+#include "core/io/household_csv.h"
+#include "core/io/population_csv.h"
+#include "core/io/rule_loader.h"
+#include "core/navigation/straight_line_paths.h"
+#include "core/population/population_generator.h"
+#include "core/sim/dialect.h"
+
+namespace pcg::cli {
+
+extern const Command agenda_command;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct Request {
+	std::string rules, city, households, people, people_out, out;
+	uint32_t persons = 0;
+	uint64_t seed = 1;
+	uint32_t threads = 0;
+	std::optional<int> weekday;
+};
+
+std::optional<int> weekday_of(const std::string &name) {
+	constexpr std::array<std::string_view, 7> names{ "mon", "tue", "wed", "thu", "fri", "sat", "sun" };
+	for (size_t i = 0; i < names.size(); ++i) {
+		if (name == names[i]) {
+			return int(i);
+		}
+	}
+	return std::nullopt;
+}
+
+Request read_request(Args &args) {
+	args.require_positional(1, 1, "a rule file");
+	Request request;
+	request.rules = args.positional().empty() ? "" : args.positional()[0];
+	request.city = args.text("--city");
+	request.households = args.text("--households");
+	request.people = args.text("--population");
+	request.people_out = args.text("--save-population");
+	request.out = args.text("--out");
+	request.persons = uint32_t(args.whole("--persons", 0, 0, 100'000'000));
+	request.seed = uint64_t(args.whole("--seed", 1));
+	request.threads = uint32_t(args.whole("--threads", 0, 0, 1024));
+	if (request.city.empty()) {
+		args.problem("--city CITY.json is missing");
+	}
+	if (request.households.empty() == request.people.empty()) {
+		args.problem("give either --households TABLE.csv with --persons N, or --population PEOPLE.csv");
+	}
+	if (!request.households.empty() && !args.has("--persons")) {
+		args.problem("--households needs --persons N");
+	}
+	if (args.has("--day")) {
+		request.weekday = weekday_of(args.text("--day"));
+		if (!request.weekday) {
+			args.problem("--day is one of mon tue wed thu fri sat sun");
+		}
+	}
+	return request;
+}
+
+// The people of the city, drawn or read; the numbers of a file are kept.
+bool make_people(const Request &request, const CityFile &city, PopulationFile &people, Diagnostics &diagnostics) {
+	if (!request.people.empty()) {
+		Result<PopulationFile> file = read_population(request.people, city.building_ids);
+		if (!file) {
+			diagnostics.add(file.diagnostic());
+			return false;
+		}
+		people = std::move(*file);
+		return true;
+	}
+	const Result<HouseholdTable> table = read_household_table(request.households);
+	if (!table) {
+		diagnostics.add(table.diagnostic());
+		return false;
+	}
+	PopulationOptions options;
+	options.seed = request.seed;
+	options.persons = request.persons;
+	people.population = generate_population(*table, city.city, options, diagnostics);
+	return !diagnostics.has_errors();
+}
+
+// Says how far it is once it has taken two seconds.
+std::function<void(size_t, size_t)> progress_printer() {
+	return [start = Clock::now(), last = Clock::now()](size_t done, size_t total) mutable {
+		const Clock::time_point now = Clock::now();
+		if (now - start > std::chrono::seconds(2) && now - last > std::chrono::milliseconds(500)) {
+			std::fprintf(stderr, "\ragendas: %zu %%", total > 0 ? 100 * done / total : 100);
+			last = now;
+		}
+	};
+}
+
+int finish(const Diagnostics &diagnostics) {
+	std::fputs(to_text(diagnostics).c_str(), stderr);
+	return diagnostics.has_errors() ? 1 : 0;
+}
+
+int write_people(const Request &request, const CityFile &city, const PopulationFile &people, Diagnostics &diagnostics) {
+	if (!request.people_out.empty()) {
+		write_file(request.people_out, population_to_csv(people.population, &city.building_ids), diagnostics);
+	}
+	return finish(diagnostics);
+}
+
+int generate(const Request &request) {
+	Diagnostics diagnostics;
+	const std::shared_ptr<const Program> program = load_program(request.rules, pcg_dialect(), diagnostics);
+	const std::optional<CityFile> city = load_city_json(request.city, diagnostics);
+	PopulationFile people;
+	if (!program || !city || diagnostics.has_errors() || !make_people(request, *city, people, diagnostics)) {
+		return finish(diagnostics);
+	}
+	const StraightLinePaths paths(city->city);
+	AgendaOptions options;
+	options.seed = request.seed;
+	options.work.threads = request.threads;
+	options.work.progress = progress_printer();
+	const Clock::time_point start = Clock::now();
+	const AgendaSet agendas = generate_agendas(*program, city->city, paths, people.population, options, diagnostics);
+	const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+	if (agendas.tasks.empty() && diagnostics.has_errors()) {
+		return finish(diagnostics);
+	}
+	const bool has_numbers = !request.people.empty();
+	const AgendaCsvIds ids{ has_numbers ? &people.household_ids : nullptr, has_numbers ? &people.person_ids : nullptr, &city->building_ids };
+	if (request.out.empty()) {
+		std::fputs(agendas_to_csv(agendas, people.population, *program, ids, request.weekday).c_str(), stdout);
+	} else if (write_agendas(request.out, agendas, people.population, *program, ids, request.weekday, diagnostics)) {
+		std::fprintf(stderr, "%s%zu persons in %zu households, %zu entries in %.2f s: %s\n", seconds > 2.0 ? "\n" : "",
+				people.population.persons.size(), people.population.households.size(), agendas.tasks.size(), seconds, request.out.c_str());
+	}
+	return write_people(request, *city, people, diagnostics);
+}
+
+int run(std::span<const std::string_view> raw) {
+	Args args(raw,
+			{ { "--city", "CITY.json" }, { "--households", "TABLE.csv" }, { "--persons", "N" }, { "--population", "PEOPLE.csv" },
+					{ "--save-population", "PEOPLE.csv" }, { "--seed", "N" }, { "--out", "AGENDAS.csv" }, { "--day", "DAY" }, { "--threads", "N" } });
+	const Request request = read_request(args);
+	if (!args.is_valid()) {
+		return args.report(agenda_command);
+	}
+	return generate(request);
+}
+
+} // namespace
+
+const Command agenda_command = { "agenda",
+	"pcg agenda RULES.pcg --city CITY.json (--households TABLE.csv --persons N | --population PEOPLE.csv)\n"
+	"           [--seed N] [--day mon|tue|wed|thu|fri|sat|sun] [--threads N] [--save-population PEOPLE.csv] [--out AGENDAS.csv]\n"
+	"  Writes everybody's agenda as a table, to standard output unless --out names a file. Distances are straight lines.",
+	"write everybody's agenda by rules", run };
+
+} // namespace pcg::cli

@@ -1,0 +1,202 @@
+#include <doctest/doctest.h>
+
+#include <atomic>
+
+#include "agenda_fixture.h"
+
+using namespace pcg;
+
+namespace {
+
+// Households of one to four persons with homes along a street.
+AgendaFixture street(size_t households) {
+	AgendaFixture fixture;
+	fixture.add_building("school", 300);
+	for (int i = 0; i < 20; ++i) {
+		fixture.add_building("workplace", 1000.0f + 70.0f * float(i));
+	}
+	Random random(4, 4);
+	for (size_t i = 0; i < households; ++i) {
+		fixture.add_household(fixture.add_building("house", float(10 * i)));
+		const size_t members = 1 + random.index(4);
+		for (size_t k = 0; k < members; ++k) {
+			fixture.add_person(k == 0 ? 40.0f : float(random.index(90)));
+		}
+	}
+	return fixture;
+}
+
+std::string everybodys_monday(const AgendaFixture &fixture) {
+	std::string text;
+	for (uint32_t i = 0; i < fixture.population.persons.size(); ++i) {
+		text += fixture.day_of(PersonId(i)) + "\n";
+	}
+	return text;
+}
+
+const char *const random_rules = R"(
+attr hours = 2
+@StartRule
+Household -->
+	members { true: Day }
+Day -->
+	set(start, rand(0, 20h))
+	stayInside(start, start + hours * 1h, home)
+)";
+
+} // namespace
+
+TEST_CASE("any number of threads writes the same agendas and the same messages") {
+	AgendaFixture one = street(1500);
+	AgendaFixture many = street(1500);
+	one.options.work.threads = 1;
+	many.options.work.threads = 5;
+	const std::string rules = R"(
+@StartRule
+Household -->
+	members { age < 18: goToBuilding(7h, 8h, findBuilding("workplace"))
+	        | true: goToBuilding(7h, 8h, findBuilding("office")) }
+	members { chooseMember(true): Lead }
+	case household.id % 100 == 77: members { true: stayInside(0, 1 / (count() - count()), home) }
+Lead -->
+	accompany(7h + 1, age < 18)
+	floatingTask(rand(1, 100), Rest)
+Rest -->
+	wait(1)
+)";
+	REQUIRE(one.generate(rules));
+	REQUIRE(many.generate(rules));
+	CHECK(everybodys_monday(one) == everybodys_monday(many));
+	CHECK(to_text(one.diagnostics) == to_text(many.diagnostics));
+	CHECK(one.diagnostics.error_count() == 15); // households 77, 177 .. 1477
+	REQUIRE(one.agendas.groups.size() == many.agendas.groups.size());
+	REQUIRE(one.agendas.groups.size() > 256);
+	for (const Task &task : one.agendas.tasks) {
+		CHECK(task.origin < one.agendas.origins.size());
+		CHECK((task.kind != TaskKind::Accompany || task.target < one.agendas.groups.size()));
+	}
+	REQUIRE(one.agendas.floating_tasks.size() == 1500);
+	CHECK(one.agendas.floating_tasks[1234].duration_ms == many.agendas.floating_tasks[1234].duration_ms);
+}
+
+TEST_CASE("what a household draws does not depend on the others") {
+	AgendaFixture all = street(40);
+	AgendaFixture few = street(20);
+	REQUIRE(all.generate(random_rules));
+	REQUIRE(few.generate(random_rules));
+	for (uint32_t i = 0; i < few.population.persons.size(); ++i) {
+		CHECK(all.day_of(PersonId(i)) == few.day_of(PersonId(i)));
+	}
+	AgendaFixture other = street(20);
+	other.options.seed = 2;
+	REQUIRE(other.generate(random_rules));
+	CHECK(other.day_of(PersonId(0)) != few.day_of(PersonId(0)));
+}
+
+TEST_CASE("attributes can be set from outside, and a wrong name is told with the closest") {
+	AgendaFixture fixture = street(1);
+	fixture.options.overrides.push_back({ "hours", Value::of(3.0) });
+	REQUIRE(fixture.generate(random_rules));
+	CHECK(fixture.problems() == "");
+	const Task task = fixture.agendas.tasks_of(PersonId(0))[0];
+	CHECK(task.end_ms - task.start_ms == 3 * 3'600'000);
+
+	AgendaFixture wrong = street(1);
+	wrong.options.overrides.push_back({ "huors", Value::of(3.0) });
+	wrong.generate(random_rules);
+	REQUIRE(wrong.problems() == "unknown-attribute");
+	CHECK(wrong.diagnostics.list()[0].hint == "did you mean 'hours'?");
+	CHECK(wrong.agendas.tasks.empty());
+	CHECK(wrong.agendas.person_count() == wrong.population.persons.size());
+}
+
+TEST_CASE("another start rule can be named; a missing one is an error and nobody has entries") {
+	AgendaFixture fixture = street(3);
+	fixture.options.start_rule = "Other";
+	REQUIRE(fixture.generate("@StartRule\nHousehold --> members { true: stayInside(1h, 2h, home) }\nOther --> members { true: stayInside(3h, 4h, home) }"));
+	CHECK(fixture.day_of(PersonId(0)) == "03:00-04:00 stay " + std::to_string(index_of(fixture.population.households[0].home)));
+	AgendaFixture missing = street(3);
+	missing.options.start_rule = "Nothing";
+	missing.generate("@StartRule\nHousehold --> members { true: stayInside(1h, 2h, home) }");
+	CHECK(missing.problems() == "no-start-rule");
+	CHECK(missing.agendas.tasks_of(PersonId(0)).empty());
+}
+
+TEST_CASE("rules that read the day draw the same on each day, and entries equal on all days are one") {
+	AgendaFixture fixture = street(1);
+	REQUIRE(fixture.generate("@StartRule\nHousehold --> set(start, rand(0, 10h)) case day >= 0: members { true: Day }\n"
+							 "Day --> stayInside(start, start + 1h, home) floatingTask(60, Rest)\nRest --> wait(1)"));
+	CHECK(fixture.problems() == "");
+	REQUIRE(fixture.agendas.tasks_of(PersonId(0)).size() == 1);
+	CHECK(fixture.agendas.tasks_of(PersonId(0))[0].days == pcg::all_days);
+	CHECK(fixture.agendas.floating_tasks_of(PersonId(0)).size() == 7); // one for each day
+}
+
+TEST_CASE("nobody, or a household without members, is no trouble") {
+	AgendaFixture nobody;
+	REQUIRE(nobody.generate(random_rules));
+	CHECK(nobody.agendas.person_count() == 0);
+	AgendaFixture empty;
+	empty.add_household(BuildingId::Invalid);
+	REQUIRE(empty.generate(random_rules));
+	CHECK(empty.problems() == "");
+}
+
+TEST_CASE("a household whose home is gone gets a warning and no entries there") {
+	AgendaFixture fixture;
+	fixture.add_household(BuildingId::Invalid);
+	fixture.add_person(30);
+	REQUIRE(fixture.generate(random_rules));
+	CHECK(fixture.problems() == "no-building");
+	CHECK(fixture.agendas.tasks.empty());
+}
+
+TEST_CASE("an agenda that grows without end is an error") {
+	AgendaFixture fixture = street(1);
+	REQUIRE(fixture.generate("@StartRule\nHousehold --> members { true: More(0) }\n"
+							 "More(n) --> stayInside(n * 10, n * 10 + 5, home) case n % 900 < 899: More(n + 1) else: [ More2(n + 1) ]\n"
+							 "More2(n) --> stayInside(n, n + 1, home)"));
+	CHECK(fixture.diagnostics.error_count() == 0);
+	AgendaFixture endless = street(1);
+	REQUIRE(endless.generate("@StartRule\nHousehold --> members { true: Half(0, 13) }\n"
+							 "Half(at, depth) --> case depth > 0: Half(at, depth - 1) Half(at + pow(2, depth - 1), depth - 1) "
+							 "else: stayInside(at, at + 0.5, home)"));
+	CHECK(endless.problems() == "agenda-too-long");
+	CHECK(endless.agendas.tasks_of(PersonId(0)).size() > 4000);
+}
+
+TEST_CASE("generation can be cancelled") {
+	AgendaFixture fixture = street(600);
+	const std::atomic<bool> cancel = true;
+	fixture.options.work.cancel = &cancel;
+	REQUIRE(fixture.generate(random_rules));
+	CHECK(fixture.problems() == "cancelled");
+	CHECK(fixture.agendas.person_count() == fixture.population.persons.size());
+}
+
+TEST_CASE("chooseMember decides ties with equal chances") {
+	AgendaFixture fixture;
+	const BuildingId home = fixture.add_building("house", 0);
+	for (int i = 0; i < 3000; ++i) {
+		fixture.add_household(home);
+		fixture.add_person(40);
+		fixture.add_person(41);
+		fixture.add_person(42);
+		fixture.add_person(12);
+	}
+	REQUIRE(fixture.generate("@StartRule\nHousehold --> members { chooseMember(age >= 18): stayInside(0h, 1h, home) } "
+							 "members { chooseMember(case age >= 18: 5 else: 1): stayInside(2h, 3h, home) }"));
+	int chosen[2][4] = {};
+	for (uint32_t i = 0; i < fixture.population.persons.size(); ++i) {
+		for (const Task &task : fixture.agendas.tasks_of(PersonId(i))) {
+			++chosen[task.start_ms > 0][i % 4];
+		}
+	}
+	for (const auto &counts : chosen) {
+		CHECK(counts[3] == 0);
+		CHECK(counts[0] + counts[1] + counts[2] == 3000);
+		for (int k = 0; k < 3; ++k) {
+			CHECK(std::abs(counts[k] - 1000) < 104); // four standard deviations of a binomial count
+		}
+	}
+}

@@ -1,0 +1,177 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <sstream>
+
+#include "../agenda/agenda_fixture.h"
+
+using namespace pcg;
+
+// Runs tests/rules/agenda/*.pcg; their README tells the format.
+namespace {
+
+constexpr std::string_view day_names[] = { "mon", "tue", "wed", "thu", "fri", "sat", "sun" };
+
+struct ExpectedDay {
+	uint32_t person = 0;
+	std::string when;
+	std::string what;
+};
+
+struct RuleTest {
+	AgendaFixture fixture;
+	MemorySourceProvider files;
+	std::vector<ExpectedDay> days;
+	std::vector<std::string> messages; // "12 warning no-building", sorted
+};
+
+std::string trimmed(const std::string &text) {
+	const size_t first = text.find_first_not_of(" \t\r");
+	return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+// "w40@1.5"
+void add_person(AgendaFixture &fixture, const std::string &text) {
+	const size_t at = text.find('@');
+	const float age = std::strtof(text.substr(1, at - 1).c_str(), nullptr);
+	const float speed = at == std::string::npos ? 1.0f : std::strtof(text.c_str() + at + 1, nullptr);
+	fixture.add_person(age, text[0] == 'w' ? Gender::Woman : Gender::Man, speed);
+}
+
+void read_directive(RuleTest &test, const std::string &line) {
+	std::istringstream words(line);
+	std::string word;
+	words >> word;
+	if (word == "building") {
+		float x = 0.0f;
+		words >> word >> x;
+		test.fixture.add_building(word, x);
+	} else if (word == "object") {
+		CityObject object;
+		words >> word >> object.position.x;
+		object.type = test.fixture.city.types.add(word);
+		test.fixture.city.add_object(object);
+	} else if (word == "household") {
+		uint32_t home = 0;
+		words >> home >> word; // with the colon behind it
+		test.fixture.add_household(BuildingId(home));
+		while (words >> word) {
+			if (word != ":") {
+				add_person(test.fixture, word);
+			}
+		}
+	} else if (word == "seed") {
+		words >> test.fixture.options.seed;
+	}
+}
+
+void read_expectation(RuleTest &test, const std::string &text, size_t line) {
+	std::istringstream words(text);
+	std::string first, second;
+	words >> first >> second;
+	if (first == "error" || first == "warning") {
+		test.messages.push_back(std::to_string(line) + " " + first + " " + second);
+		return;
+	}
+	const size_t colon = text.find(':');
+	REQUIRE(colon != std::string::npos);
+	second.erase(std::remove(second.begin(), second.end(), ':'), second.end());
+	test.days.push_back({ uint32_t(std::stoul(first)), second, trimmed(text.substr(colon + 1)) });
+}
+
+void read_test(RuleTest &test, const std::string &path) {
+	FileSourceProvider disk;
+	const Result<std::string> text = disk.read(path);
+	REQUIRE(text.is_ok());
+	std::istringstream lines(*text);
+	std::string line, file = path, content;
+	size_t line_number = 0;
+	while (std::getline(lines, line)) {
+		++line_number;
+		const size_t remark = line.find("// ");
+		const std::string directive = remark == std::string::npos ? "" : trimmed(line.substr(remark + 3));
+		if (directive.rfind("file ", 0) == 0) {
+			test.files.add(file, content);
+			file = "tests/rules/agenda/" + trimmed(directive.substr(5));
+			content.clear();
+			line_number = 0;
+			continue;
+		}
+		content += line + "\n";
+		if (directive.rfind("expect ", 0) == 0) {
+			read_expectation(test, directive.substr(7), line_number);
+		} else if (remark == 0) {
+			read_directive(test, directive);
+		}
+	}
+	test.files.add(file, content);
+	std::sort(test.messages.begin(), test.messages.end());
+}
+
+std::string pool_of(const AgendaFixture &fixture, PersonId id) {
+	std::ostringstream text;
+	for (const FloatingTask &task : fixture.agendas.floating_tasks_of(id)) {
+		text << (text.str().empty() ? "" : "; ") << fixture.program->rules[index_of(task.rule)].name << " " << task.duration_ms / 1000.0 << " "
+			 << task.priority;
+	}
+	return text.str();
+}
+
+void check_day(const AgendaFixture &fixture, const ExpectedDay &expected) {
+	INFO("person " << expected.person << " " << expected.when);
+	const PersonId id = PersonId(expected.person);
+	REQUIRE(expected.person < fixture.population.persons.size());
+	if (expected.when == "pool") {
+		CHECK(pool_of(fixture, id) == expected.what);
+		return;
+	}
+	int wrong_day = -1;
+	for (int day = 6; day >= 0; --day) {
+		if ((expected.when == "all" || expected.when == day_names[day]) && fixture.day_of(id, day) != expected.what) {
+			wrong_day = day;
+		}
+	}
+	if (wrong_day >= 0) {
+		CHECK(fixture.day_of(id, wrong_day) == expected.what);
+	}
+}
+
+void run_test(const std::string &path) {
+	INFO(path);
+	RuleTest test;
+	read_test(test, path);
+	AgendaFixture &fixture = test.fixture;
+	fixture.use(load_program(path, pcg_dialect(), test.files, fixture.diagnostics));
+	std::vector<std::string> messages;
+	for (const Diagnostic &diagnostic : fixture.diagnostics.list()) {
+		messages.push_back(std::to_string(diagnostic.line) + (diagnostic.severity == Severity::Error ? " error " : " warning ") + std::string(diagnostic.id));
+	}
+	std::sort(messages.begin(), messages.end());
+	INFO(to_text(fixture.diagnostics));
+	CHECK(messages == test.messages);
+	if (fixture.program) {
+		for (const ExpectedDay &expected : test.days) {
+			check_day(fixture, expected);
+		}
+	}
+	CHECK((!test.days.empty() || !test.messages.empty()));
+}
+
+} // namespace
+
+TEST_CASE("the agenda language by example") {
+	std::vector<std::string> paths;
+	std::error_code error;
+	for (const auto &entry : std::filesystem::directory_iterator("tests/rules/agenda", error)) {
+		if (entry.path().extension() == ".pcg") {
+			paths.push_back(entry.path().generic_string());
+		}
+	}
+	std::sort(paths.begin(), paths.end());
+	REQUIRE(paths.size() > 10);
+	for (const std::string &path : paths) {
+		run_test(path);
+	}
+}
