@@ -27,7 +27,7 @@ def parse_arguments(arguments):
     parser.add_argument("--out", help="where to write the generated files")
     parser.add_argument("--precision", choices=("single", "double"), help="of real_t; default: as in the dump")
     parser.add_argument("--profile", help="write upstream's build profile here")
-    parser.add_argument("--check", action="store_true", help="with --profile: write nothing, fail if it is out of date")
+    parser.add_argument("--check", action="store_true", help="with --profile: write nothing, fail if a class is missing")
     return parser.parse_args(arguments)
 
 
@@ -42,15 +42,19 @@ def generate_all(api, options, included):
     print(f"bindings: {len(names)} engine classes, {output.changed} files changed ({api.version})")
 
 
-def write_profile(path, text, check):
-    current = Path(path).read_text(encoding="utf-8") if Path(path).exists() else ""
-    if current == text:
-        return 0
-    if check:
-        print(f"{path} is out of date: run bindings/generate.py --profile {path} with the sources' folders.")
-        return 1
-    Path(path).write_text(text, encoding="utf-8")
+def write_profile(path, names):
+    Path(path).write_text(sources.profile_text(names), encoding="utf-8")
     return 0
+
+
+def check_profile(path, names):
+    """A class too many only costs upstream's build a second; one too few breaks it."""
+    listed = sources.profile_classes(path)
+    for name in sorted(listed - names):
+        print(f"{path}: nothing includes {name} any more")
+    for name in sorted(names - listed):
+        print(f"{path}: {name} is missing; run bindings/generate.py as bindings/README.md says")
+    return 1 if names - listed else 0
 
 
 def main(arguments):
@@ -62,7 +66,7 @@ def main(arguments):
             raise SystemExit("--out needs --interface")
         generate_all(api, options, included)
     if options.profile:
-        return write_profile(options.profile, sources.profile_text(included), options.check)
+        return (check_profile if options.check else write_profile)(options.profile, sources.profile_names(included))
     return 0
 
 

@@ -47,7 +47,9 @@ class BuiltinClass:
     def _life(self):
         name = self.name
         get = "internal::engine.variant_get_ptr_"
-        destructor = f"{name}::~{name}() = default;\n\n" if not self.data["has_destructor"] else f"""{name}::~{name}() {{
+        destructor = f"{name}::~{name}() = default;\n\n"
+        if self.data["has_destructor"]:
+            destructor = f"""{name}::~{name}() {{
 	static const GDExtensionPtrDestructor destructor = {get}destructor({self.type});
 	destructor(opaque);
 }}
@@ -82,7 +84,8 @@ class BuiltinClass:
             passed = signature.argument_list()
             explicit = "explicit " if len(arguments) == 1 and arguments[0]["type"] in self.api.classes else ""
             self.add(f"{explicit}{self.name}({parameters})", f"""{self.name}::{self.name}({parameters}) {{
-	static const GDExtensionPtrConstructor constructor = internal::engine.variant_get_ptr_constructor({self.type}, {constructor['index']});
+	static const GDExtensionPtrConstructor constructor =
+			internal::engine.variant_get_ptr_constructor({self.type}, {constructor['index']});
 	internal::construct(constructor, opaque{passed});
 }}""")
 
@@ -102,10 +105,12 @@ class BuiltinClass:
 
     def _method(self, method):
         base = "nullptr" if method.is_static else "opaque"
-        self.add(method.declaration(defaults=not self._needs_overloads(method)), f"""{method.declaration(self.name + '::', False)} {{
+        result = "" if method.returns == "void" else "return "
+        declaration = method.declaration(defaults=not self._needs_overloads(method))
+        self.add(declaration, f"""{method.declaration(self.name + '::', False)} {{
 	static const GDExtensionPtrBuiltInMethod method =
 			internal::find_builtin_method({self.type}, "{method.data['name']}", {method.data['hash']});
-	{'' if method.returns == 'void' else 'return '}internal::call_builtin<{method.returns}>(method, {base}{method.argument_list()});
+	{result}internal::call_builtin<{method.returns}>(method, {base}{method.argument_list()});
 }}""")
         if self._needs_overloads(method):
             self._shorter_overloads(method)
@@ -158,7 +163,8 @@ class BuiltinClass:
         if self.element in self.api.opaque:
             includes.append(f"godot_cpp/variant/{snake_case(self.element)}.hpp")
         forward = "".join(f"class {n};\n" for n in sorted(self.api.opaque | {"Object", "Variant"}) if n != self.name)
-        lines = ["#pragma once\n"] + [f"#include <{i}>" for i in ["godot_cpp/core/defs.hpp", "godot_cpp/godot.hpp"] + includes]
+        includes = ["godot_cpp/core/defs.hpp", "godot_cpp/godot.hpp"] + includes
+        lines = ["#pragma once\n"] + [f"#include <{i}>" for i in includes]
         if self.name == "String":
             lines.append("#include <godot_cpp/variant/char_string.hpp>")
         varargs = "".join(_vararg_declaration(m) for m in self.methods if m.is_vararg)
@@ -207,10 +213,11 @@ def _vararg_definition(owner, method):
     fixed = method.parameters(False)
     names = "".join(f"Variant({argument_name(a['name'])}), " for a in method.arguments)
     count = f"{len(method.arguments)} + sizeof...(Args)" if method.arguments else "sizeof...(Args)"
+    parameters = (fixed + ", " if fixed else "") + "const Args &...p_args"
     return f"""template <typename... Args>
-{method.returns} {owner.name}::{method.name}({fixed + ', ' if fixed else ''}const Args &...p_args){const} {{
+{method.returns} {owner.name}::{method.name}({parameters}){const} {{
 	static const GDExtensionPtrBuiltInMethod method =
-			internal::engine.variant_get_ptr_builtin_method({owner.type}, internal::make_static_name("{method.data['name']}")._native_ptr(), {method.data['hash']});
+			internal::find_builtin_method({owner.type}, "{method.data['name']}", {method.data['hash']});
 	std::array<Variant, {count}> values{{ {names}Variant(p_args)... }};
 	std::array<GDExtensionConstTypePtr, {count}> pointers;
 	for (size_t i = 0; i < values.size(); i++) {{
@@ -235,7 +242,8 @@ def generate(output, api):
     groups.write(output)
     output.write("include/godot_cpp/variant/builtin_vararg_methods.gen.hpp",
                  "#pragma once\n\nnamespace godot {\n\nnamespace internal {\n\n"
-                 "const StringName &make_static_name(const char *p_name);\n\n} // namespace internal\n\n"
+                 "GDExtensionPtrBuiltInMethod find_builtin_method(GDExtensionVariantType p_type, const char *p_method,\n"
+                 "\t\tint64_t p_hash);\n\n} // namespace internal\n\n"
                  + varargs + "} // namespace godot\n")
     output.write("include/godot_cpp/variant/variant_size.gen.hpp",
                  f"#pragma once\n\n#define GODOT_CPP_VARIANT_SIZE {api.sizes['Variant']}\n")

@@ -4,6 +4,16 @@ from .functions import Signature, enum_cast, enum_text
 from .names import snake_case
 from .output import SourceGroups
 
+_TEMPLATES = """template <typename T>
+class Ref;
+template <typename T>
+class BitField;
+template <typename T>
+class TypedArray;
+template <typename K, typename V>
+class TypedDictionary;
+"""
+
 
 class EngineClass:
     def __init__(self, api, name, enabled):
@@ -52,10 +62,10 @@ class EngineClass:
         includes += [f"godot_cpp/classes/{snake_case(c)}.hpp" for c in sorted(self.enum_owners())]
         includes += ["godot_cpp/core/class_glue.hpp", "array"]
         forward = "".join(f"class {c};\n" for c in sorted(self.used_classes() | {"Object"}) if c != self.name)
-        templates = "template <typename T>\nclass Ref;\ntemplate <typename T>\nclass BitField;\ntemplate <typename T>\nclass TypedArray;\ntemplate <typename K, typename V>\nclass TypedDictionary;\n"
         casts = "".join(enum_cast(e, self.name + "::") for e in self.enums)
         return ("#pragma once\n\n" + "".join(f"#include <{i}>\n" for i in includes)
-                + f"\nnamespace godot {{\n\n{templates}{forward}\n{self._class_text()}\n}} // namespace godot\n\n{casts}")
+                + f"\nnamespace godot {{\n\n{_TEMPLATES}{forward}\n{self._class_text()}\n}} // namespace godot\n\n"
+                + casts)
 
     def _class_text(self):
         base = self.parent or "Wrapped"
@@ -85,10 +95,13 @@ class EngineClass:
         return text
 
     def _vararg_declaration(self, method):
-        cast = {"void": "", "Variant": "return "}.get(method.returns, f"return VariantResult<{method.returns}>::take(")
-        close = ")" if cast.endswith("(") else ""
-        cast = cast.replace("VariantResult", "internal::VariantResult")
-        inner = f"{cast}{method.name}_internal(pointers.data(), int64_t(pointers.size())){close};"
+        call = f"{method.name}_internal(pointers.data(), int64_t(pointers.size()))"
+        if method.returns == "void":
+            inner = f"{call};"
+        elif method.returns == "Variant":
+            inner = f"return {call};"
+        else:
+            inner = f"return internal::VariantResult<{method.returns}>::take({call});"
         const = " const" if method.is_const else ""
         return (f"\tVariant {method.name}_internal(const Variant **p_args, int64_t p_count){const};\n"
                 + method.vararg_template(inner, const))
@@ -123,7 +136,8 @@ class EngineClass:
         includes = "".join(f"#include <godot_cpp/classes/{snake_case(c)}.hpp>\n" for c in headers)
         bodies = "".join(self._definition(m) for m in self.methods) + "".join(self._virtual(m) for m in self.virtuals)
         return (f"{includes}#include <godot_cpp/classes/ref.hpp>\n#include <godot_cpp/core/engine_call.hpp>\n"
-                f"#include <godot_cpp/core/type_info.hpp>\n\nnamespace godot {{\n\n{self._singleton_body()}{bodies}}} // namespace godot\n")
+                "#include <godot_cpp/core/type_info.hpp>\n\nnamespace godot {\n\n"
+                f"{self._singleton_body()}{bodies}}} // namespace godot\n")
 
     def _find(self, method):
         return (f'\tstatic const GDExtensionMethodBindPtr method =\n'
@@ -159,7 +173,9 @@ class EngineClass:
 
 
 def _nothing(cpp_type):
-    return "nullptr" if cpp_type.endswith("*") else f"{cpp_type}{{}}"
+    if cpp_type.endswith("*"):
+        return "nullptr"
+    return f"{cpp_type}(0)" if cpp_type.startswith("BitField") else f"{cpp_type}{{}}"
 
 
 def generate(output, api, names):

@@ -23,10 +23,11 @@ def _utilities(output, api):
             declared += _vararg(function)
             defined += _vararg_definition(function, find)
             continue
+        result = "" if function.returns == "void" else "return "
         declared += f"\t{function.declaration()};\n"
         defined += f"""{function.declaration('UtilityFunctions::', False)} {{
 	static const GDExtensionPtrUtilityFunction function = {find};
-	{'' if function.returns == 'void' else 'return '}internal::call_utility<{function.returns}>(function{function.argument_list()});
+	{result}internal::call_utility<{function.returns}>(function{function.argument_list()});
 }}
 
 """
@@ -56,7 +57,8 @@ namespace godot {{
 
 
 def _vararg(function):
-    inner = f"{'' if function.returns == 'void' else 'return '}{function.name}_internal(pointers.data(), int32_t(pointers.size()));"
+    result = "" if function.returns == "void" else "return "
+    inner = f"{result}{function.name}_internal(pointers.data(), int32_t(pointers.size()));"
     private = f"\tstatic {function.returns} {function.name}_internal(const Variant **p_args, int32_t p_count);\n"
     return private + function.vararg_template(inner)
 

@@ -34,6 +34,14 @@ def with_ancestors(api, names):
     return closed
 
 
+def profile_names(included):
+    """The classes that upstream's build profile must list; it adds the ancestors itself."""
+    return set(included) | _ALWAYS
+
+
+def profile_classes(path):
+    return set(json.loads(Path(path).read_text(encoding="utf-8"))["enabled_classes"])
+
+
 def profile_text(names):
-    """build_profile.json, by which upstream's bindings generate the same classes."""
-    return json.dumps({"enabled_classes": sorted(names | _ALWAYS)}, indent=4) + "\n"
+    return json.dumps({"enabled_classes": sorted(names)}, indent=4) + "\n"

@@ -52,8 +52,7 @@ String String::num_real(double p_num, bool p_trailing) {
 namespace {
 
 // Asks for the length first, then for the text.
-template <class T, class Write>
-CharStringT<T> encode(const String &p_string, Write p_write) {
+template <class T, class Write> CharStringT<T> encode(const String &p_string, Write p_write) {
 	const int64_t length = p_write(p_string._native_ptr(), nullptr, 0);
 	std::basic_string<T> text(size_t(length), T(0));
 	p_write(p_string._native_ptr(), text.data(), length);
@@ -67,10 +66,6 @@ CharString String::utf8() const {
 }
 
 CharString String::ascii() const {
-	return encode<char>(*this, engine.string_to_latin1_chars);
-}
-
-CharString String::latin1() const {
 	return encode<char>(*this, engine.string_to_latin1_chars);
 }
 
@@ -176,10 +171,6 @@ StringName::StringName(const char16_t *p_from) : StringName(String(p_from)) {}
 StringName::StringName(const char32_t *p_from) : StringName(String(p_from)) {}
 StringName::StringName(const wchar_t *p_from) : StringName(String(p_from)) {}
 
-bool StringName::operator==(const char *p_other) const {
-	return *this == String(p_other);
-}
-
 NodePath::NodePath(const char *p_from) : NodePath(String(p_from)) {}
 NodePath::NodePath(const char16_t *p_from) : NodePath(String(p_from)) {}
 NodePath::NodePath(const char32_t *p_from) : NodePath(String(p_from)) {}
@@ -206,7 +197,8 @@ Variant *Array::ptrw() {
 void Array::set_typed(uint32_t p_type, const StringName &p_class_name, const Variant &p_script) {
 	// Typing is refused, with an error, once there are elements; "any" is what an Array starts as.
 	if (p_type != Variant::NIL) {
-		engine.array_set_typed(opaque, GDExtensionVariantType(p_type), p_class_name._native_ptr(), p_script._native_ptr());
+		engine.array_set_typed(opaque, GDExtensionVariantType(p_type), p_class_name._native_ptr(),
+		                       p_script._native_ptr());
 	}
 }
 
@@ -223,10 +215,10 @@ Variant &Dictionary::operator[](const Variant &p_key) {
 }
 
 void Dictionary::set_typed(uint32_t p_key_type, const StringName &p_key_class_name, const Variant &p_key_script,
-		uint32_t p_value_type, const StringName &p_value_class_name, const Variant &p_value_script) {
+                           uint32_t p_value_type, const StringName &p_value_class_name, const Variant &p_value_script) {
 	engine.dictionary_set_typed(opaque, GDExtensionVariantType(p_key_type), p_key_class_name._native_ptr(),
-			p_key_script._native_ptr(), GDExtensionVariantType(p_value_type), p_value_class_name._native_ptr(),
-			p_value_script._native_ptr());
+	                            p_key_script._native_ptr(), GDExtensionVariantType(p_value_type),
+	                            p_value_class_name._native_ptr(), p_value_script._native_ptr());
 }
 
 } // namespace godot

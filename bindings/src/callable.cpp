@@ -15,12 +15,13 @@ const CallableCustom *self(void *p_userdata) {
 	return static_cast<const CallableCustom *>(p_userdata);
 }
 
-void on_call(void *p_userdata, const GDExtensionConstVariantPtr *p_args, GDExtensionInt p_count, GDExtensionVariantPtr r_ret,
-		GDExtensionCallError *r_error) {
+void on_call(void *p_userdata, const GDExtensionConstVariantPtr *p_args, GDExtensionInt p_count,
+             GDExtensionVariantPtr r_ret, GDExtensionCallError *r_error) {
 	r_error->error = GDEXTENSION_CALL_OK;
 	Variant result;
-	self(p_userdata)->call(reinterpret_cast<const Variant **>(const_cast<GDExtensionConstVariantPtr *>(p_args)),
-			int(p_count), result, *r_error);
+	self(p_userdata)
+	        ->call(reinterpret_cast<const Variant **>(const_cast<GDExtensionConstVariantPtr *>(p_args)), int(p_count),
+	               result, *r_error);
 	*static_cast<Variant *>(r_ret) = std::move(result);
 }
 

@@ -14,7 +14,7 @@ GDExtensionInitializationLevel current_level = GDEXTENSION_INITIALIZATION_CORE;
 } // namespace
 
 struct ClassDB::Storage {
-	std::unordered_map<StringName, std::unique_ptr<ClassInfo>> classes;
+	NameMap<std::unique_ptr<ClassInfo>> classes;
 	std::vector<ClassInfo *> in_order;
 
 	// Built at first use: StringNames need the engine.
@@ -31,7 +31,7 @@ ClassDB::ClassInfo *ClassDB::find_class(const StringName &p_name) {
 }
 
 ClassDB::ClassInfo &ClassDB::begin_class(const StringName &p_name, const StringName &p_parent,
-		GDExtensionClassCreationInfo5 &p_info, const RegisterOptions &p_options) {
+                                         GDExtensionClassCreationInfo5 &p_info, const RegisterOptions &p_options) {
 	auto owned = std::make_unique<ClassInfo>();
 	ClassInfo &info = *owned;
 	info.name = p_name;
@@ -61,19 +61,21 @@ const MethodBind *ClassDB::find_method(const ClassInfo *p_class, const StringNam
 	return nullptr;
 }
 
-MethodBind *ClassDB::add_method(MethodBind *p_bind, const MethodDefinition &p_definition, std::vector<Variant> p_defaults) {
+MethodBind *ClassDB::add_method(MethodBind *p_bind, const MethodDefinition &p_definition,
+                                std::vector<Variant> p_defaults) {
 	std::unique_ptr<MethodBind, MethodBindDeleter> bind(p_bind);
 	ClassInfo *owner = find_class(bind->instance_class);
 	const size_t count = bind->argument_infos.size();
 	ERR_FAIL_NULL_V_MSG(owner, nullptr, String("Class '") + bind->instance_class + "' is not registered.");
 	ERR_FAIL_COND_V_MSG(owner->methods.count(p_definition.name), nullptr,
-			String("Method '") + p_definition.name + "' is bound twice.");
+	                    String("Method '") + p_definition.name + "' is bound twice.");
 	ERR_FAIL_COND_V_MSG(p_definition.args.size() > count || p_defaults.size() > count, nullptr,
-			String("Method '") + p_definition.name + "' is bound with more arguments than it takes.");
+	                    String("Method '") + p_definition.name + "' is bound with more arguments than it takes.");
 	bind->name = p_definition.name;
 	bind->default_arguments = std::move(p_defaults);
 	for (size_t i = 0; i < count; i++) {
-		bind->argument_infos[i].name = i < p_definition.args.size() ? p_definition.args[i] : StringName(vformat("_unnamed_arg%d", int64_t(i)));
+		bind->argument_infos[i].name =
+		        i < p_definition.args.size() ? p_definition.args[i] : StringName(vformat("_unnamed_arg%d", int64_t(i)));
 	}
 	announce_method(*owner, *bind);
 	return (owner->methods[p_definition.name] = std::move(bind)).get();
@@ -107,27 +109,27 @@ void ClassDB::announce_method(const ClassInfo &p_class, MethodBind &p_bind) {
 }
 
 void ClassDB::add_property_group(const StringName &p_class, const String &p_name, const String &p_prefix) {
-	engine.classdb_register_extension_class_property_group(
-			library, p_class._native_ptr(), p_name._native_ptr(), p_prefix._native_ptr());
+	engine.classdb_register_extension_class_property_group(library, p_class._native_ptr(), p_name._native_ptr(),
+	                                                       p_prefix._native_ptr());
 }
 
 void ClassDB::add_property_subgroup(const StringName &p_class, const String &p_name, const String &p_prefix) {
-	engine.classdb_register_extension_class_property_subgroup(
-			library, p_class._native_ptr(), p_name._native_ptr(), p_prefix._native_ptr());
+	engine.classdb_register_extension_class_property_subgroup(library, p_class._native_ptr(), p_name._native_ptr(),
+	                                                          p_prefix._native_ptr());
 }
 
 void ClassDB::add_property(const StringName &p_class, const PropertyInfo &p_info, const StringName &p_setter,
-		const StringName &p_getter, int p_index) {
+                           const StringName &p_getter, int p_index) {
 	ClassInfo *owner = find_class(p_class);
 	ERR_FAIL_NULL_MSG(owner, String("Class '") + p_class + "' is not registered.");
 	ERR_FAIL_COND_MSG(!owner->properties.insert(p_info.name).second,
-			String("Property '") + p_info.name + "' of class '" + p_class + "' is added twice.");
+	                  String("Property '") + p_info.name + "' of class '" + p_class + "' is added twice.");
 	const int extra = p_index >= 0 ? 1 : 0;
 	if (!p_setter.is_empty()) {
 		const MethodBind *setter = find_method(owner, p_setter);
 		ERR_FAIL_NULL_MSG(setter, String("Setter '") + p_setter + "' of property '" + p_info.name + "' is not bound.");
 		ERR_FAIL_COND_MSG(setter->get_argument_count() != 1 + extra,
-				String("Setter '") + p_setter + "' must take one value.");
+		                  String("Setter '") + p_setter + "' must take one value.");
 	}
 	const MethodBind *getter = find_method(owner, p_getter);
 	ERR_FAIL_NULL_MSG(getter, String("Getter '") + p_getter + "' of property '" + p_info.name + "' is not bound.");
@@ -135,7 +137,7 @@ void ClassDB::add_property(const StringName &p_class, const PropertyInfo &p_info
 
 	GDExtensionPropertyInfo info = p_info._to_gdextension();
 	engine.classdb_register_extension_class_property_indexed(library, p_class._native_ptr(), &info,
-			p_setter._native_ptr(), p_getter._native_ptr(), p_index);
+	                                                         p_setter._native_ptr(), p_getter._native_ptr(), p_index);
 }
 
 void ClassDB::add_signal(const StringName &p_class, const MethodInfo &p_signal) {
@@ -143,33 +145,34 @@ void ClassDB::add_signal(const StringName &p_class, const MethodInfo &p_signal) 
 	ERR_FAIL_NULL_MSG(owner, String("Class '") + p_class + "' is not registered.");
 	for (const ClassInfo *check = owner; check; check = check->parent) {
 		ERR_FAIL_COND_MSG(check->signals.count(p_signal.name),
-				String("Class '") + p_class + "' already has the signal '" + p_signal.name + "'.");
+		                  String("Class '") + p_class + "' already has the signal '" + p_signal.name + "'.");
 	}
 	owner->signals.insert(p_signal.name);
 	std::vector<GDExtensionPropertyInfo> arguments;
 	for (const PropertyInfo &argument : p_signal.arguments) {
 		arguments.push_back(argument._to_gdextension());
 	}
-	engine.classdb_register_extension_class_signal(
-			library, p_class._native_ptr(), p_signal.name._native_ptr(), arguments.data(), int64_t(arguments.size()));
+	engine.classdb_register_extension_class_signal(library, p_class._native_ptr(), p_signal.name._native_ptr(),
+	                                               arguments.data(), int64_t(arguments.size()));
 }
 
 void ClassDB::bind_integer_constant(const StringName &p_class, const StringName &p_enum, const StringName &p_constant,
-		GDExtensionInt p_value, bool p_is_bitfield) {
+                                    GDExtensionInt p_value, bool p_is_bitfield) {
 	ClassInfo *owner = find_class(p_class);
 	ERR_FAIL_NULL_MSG(owner, String("Class '") + p_class + "' is not registered.");
-	ERR_FAIL_COND_MSG(!owner->constants.insert(p_constant).second, String("Constant '") + p_constant + "' is bound twice.");
+	ERR_FAIL_COND_MSG(!owner->constants.insert(p_constant).second,
+	                  String("Constant '") + p_constant + "' is bound twice.");
 	// The engine wants the enum's name alone; ours comes with the class: "Class.Enum".
 	const StringName enum_name = String(p_enum).get_slice(".", String(p_enum).get_slice_count(".") - 1);
 	engine.classdb_register_extension_class_integer_constant(library, p_class._native_ptr(), enum_name._native_ptr(),
-			p_constant._native_ptr(), p_value, p_is_bitfield);
+	                                                         p_constant._native_ptr(), p_value, p_is_bitfield);
 }
 
 void ClassDB::bind_virtual_method(const StringName &p_class, const StringName &p_method,
-		GDExtensionClassCallVirtual p_call, uint32_t p_hash) {
+                                  GDExtensionClassCallVirtual p_call, uint32_t p_hash) {
 	ClassInfo *owner = find_class(p_class);
 	ERR_FAIL_NULL_MSG(owner, String("Class '") + p_class + "' is not registered.");
-	owner->virtuals[p_method._identity()] = { p_method, p_hash, p_call };
+	owner->virtuals[p_method._identity()] = {p_method, p_hash, p_call};
 }
 
 GDExtensionClassCallVirtual ClassDB::get_virtual(void *p_class, GDExtensionConstStringNamePtr p_name, uint32_t p_hash) {

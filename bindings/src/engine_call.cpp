@@ -24,11 +24,10 @@ const StringName &make_static_name(const char *p_name) {
 
 namespace {
 
-template <class T>
-T found(T p_function, const char *p_owner, const char *p_name) {
+template <class T> T found(T p_function, const char *p_owner, const char *p_name) {
 	if (!p_function) {
 		report(__FUNCTION__, __FILE__, __LINE__, "This engine lacks a function that the extension was built for",
-				String(p_owner) + "." + p_name);
+		       String(p_owner) + "." + p_name);
 	}
 	return p_function;
 }
@@ -37,13 +36,13 @@ T found(T p_function, const char *p_owner, const char *p_name) {
 
 GDExtensionMethodBindPtr find_method(const char *p_class, const char *p_method, int64_t p_hash) {
 	return found(engine.classdb_get_method_bind(make_static_name(p_class)._native_ptr(),
-						 StringName(p_method)._native_ptr(), p_hash),
-			p_class, p_method);
+	                                            StringName(p_method)._native_ptr(), p_hash),
+	             p_class, p_method);
 }
 
 GDExtensionPtrBuiltInMethod find_builtin_method(GDExtensionVariantType p_type, const char *p_method, int64_t p_hash) {
 	return found(engine.variant_get_ptr_builtin_method(p_type, StringName(p_method)._native_ptr(), p_hash),
-			"built-in type", p_method);
+	             "built-in type", p_method);
 }
 
 GDExtensionPtrUtilityFunction find_utility(const char *p_name, int64_t p_hash) {
@@ -51,13 +50,13 @@ GDExtensionPtrUtilityFunction find_utility(const char *p_name, int64_t p_hash) {
 }
 
 Variant call_method_varargs(GDExtensionMethodBindPtr p_method, GDExtensionObjectPtr p_object,
-		const Variant *const *p_args, int64_t p_count) {
+                            const Variant *const *p_args, int64_t p_count) {
 	Variant result;
 	if (p_method) {
 		GDExtensionCallError error;
 		// The engine writes its result over ours as into raw memory; an empty Variant owns nothing.
 		engine.object_method_bind_call(p_method, p_object, reinterpret_cast<const GDExtensionConstVariantPtr *>(p_args),
-				p_count, result._native_ptr(), &error);
+		                               p_count, result._native_ptr(), &error);
 	}
 	return result;
 }

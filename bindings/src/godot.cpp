@@ -24,8 +24,9 @@ GDExtensionInitializationLevel minimum_level = GDEXTENSION_INITIALIZATION_SCENE;
 using namespace internal;
 
 GDExtensionBinding::InitObject::InitObject(GDExtensionInterfaceGetProcAddress p_get_proc_address,
-		GDExtensionClassLibraryPtr p_library, GDExtensionInitialization *r_initialization) :
-		get_proc_address(p_get_proc_address), library(p_library), initialization(r_initialization) {}
+                                           GDExtensionClassLibraryPtr p_library,
+                                           GDExtensionInitialization *r_initialization)
+    : get_proc_address(p_get_proc_address), library(p_library), initialization(r_initialization) {}
 
 void GDExtensionBinding::InitObject::register_initializer(Callback p_init) const {
 	initializer = p_init;
@@ -47,8 +48,8 @@ GDExtensionBool GDExtensionBinding::InitObject::init() const {
 	initialization->initialize = initialize_level;
 	initialization->deinitialize = deinitialize_level;
 	if (!engine.classdb_register_extension_class5) {
-		engine.print_error_with_message("The engine is too old for this extension.",
-				"It needs Godot 4.5 or newer.", "init", __FILE__, __LINE__, false);
+		engine.print_error_with_message("The engine is too old for this extension.", "It needs Godot 4.5 or newer.",
+		                                "init", __FILE__, __LINE__, false);
 		return false;
 	}
 	init_variant();

@@ -4,7 +4,9 @@
 namespace godot {
 
 #define GODOT_CPP_TO_TEXT(m_type)                                                                                      \
-	m_type::operator String() const { return Variant(*this).stringify(); }
+	m_type::operator String() const {                                                                                  \
+		return Variant(*this).stringify();                                                                             \
+	}
 GODOT_CPP_TO_TEXT(Vector2)
 GODOT_CPP_TO_TEXT(Vector2i)
 GODOT_CPP_TO_TEXT(Vector3)
@@ -25,28 +27,28 @@ GODOT_CPP_TO_TEXT(Color)
 
 // Fractions are cut off, as in the engine.
 Vector2::operator Vector2i() const {
-	return { int32_t(x), int32_t(y) };
+	return {int32_t(x), int32_t(y)};
 }
 Vector2i::operator Vector2() const {
-	return { real_t(x), real_t(y) };
+	return {real_t(x), real_t(y)};
 }
 Vector3::operator Vector3i() const {
-	return { int32_t(x), int32_t(y), int32_t(z) };
+	return {int32_t(x), int32_t(y), int32_t(z)};
 }
 Vector3i::operator Vector3() const {
-	return { real_t(x), real_t(y), real_t(z) };
+	return {real_t(x), real_t(y), real_t(z)};
 }
 Vector4::operator Vector4i() const {
-	return { int32_t(x), int32_t(y), int32_t(z), int32_t(w) };
+	return {int32_t(x), int32_t(y), int32_t(z), int32_t(w)};
 }
 Vector4i::operator Vector4() const {
-	return { real_t(x), real_t(y), real_t(z), real_t(w) };
+	return {real_t(x), real_t(y), real_t(z), real_t(w)};
 }
 Rect2::operator Rect2i() const {
-	return { Vector2i(position), Vector2i(size) };
+	return {Vector2i(position), Vector2i(size)};
 }
 Rect2i::operator Rect2() const {
-	return { Vector2(position), Vector2(size) };
+	return {Vector2(position), Vector2(size)};
 }
 
 Quaternion Basis::get_quaternion() const {
@@ -54,7 +56,7 @@ Quaternion Basis::get_quaternion() const {
 	const real_t trace = m[0][0] + m[1][1] + m[2][2];
 	if (trace > 0) {
 		const real_t s = Math::sqrt(trace + 1) * 2;
-		return { (m[2][1] - m[1][2]) / s, (m[0][2] - m[2][0]) / s, (m[1][0] - m[0][1]) / s, s / 4 };
+		return {(m[2][1] - m[1][2]) / s, (m[0][2] - m[2][0]) / s, (m[1][0] - m[0][1]) / s, s / 4};
 	}
 	// The largest diagonal element keeps the root away from zero.
 	const int i = m[0][0] < m[1][1] ? (m[1][1] < m[2][2] ? 2 : 1) : (m[0][0] < m[2][2] ? 2 : 0);
@@ -88,7 +90,7 @@ Vector3 Basis::get_euler(EulerOrder p_order) const {
 }
 
 void Basis::set_euler(const Vector3 &p_euler, EulerOrder p_order) {
-	static const int axes[6][3] = { { 0, 1, 2 }, { 0, 2, 1 }, { 1, 0, 2 }, { 1, 2, 0 }, { 2, 0, 1 }, { 2, 1, 0 } };
+	static const int axes[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
 	Basis turns[3];
 	for (int axis = 0; axis < 3; axis++) {
 		Vector3 direction;
@@ -116,7 +118,7 @@ Color Color::from_hsv(float p_h, float p_s, float p_v, float p_alpha) {
 		const float k = std::fmod(p_n + p_h * 6.0f, 6.0f);
 		return p_v - p_v * p_s * MAX(0.0f, MIN(MIN(k, 4.0f - k), 1.0f));
 	};
-	return { channel(5), channel(3), channel(1), p_alpha };
+	return {channel(5), channel(3), channel(1), p_alpha};
 }
 
 uint32_t Color::to_rgba32() const {

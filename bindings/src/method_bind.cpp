@@ -5,15 +5,15 @@
 namespace godot {
 
 void MethodBind::call(void *p_instance, const Variant *const *p_args, int64_t p_count, Variant &r_ret,
-		GDExtensionCallError &r_error) const {
+                      GDExtensionCallError &r_error) const {
 	const int64_t wanted = get_argument_count();
 	const int64_t first_default = wanted - int64_t(default_arguments.size());
 	if (p_count > wanted) {
-		r_error = { GDEXTENSION_CALL_ERROR_TOO_MANY_ARGUMENTS, 0, int32_t(wanted) };
+		r_error = {GDEXTENSION_CALL_ERROR_TOO_MANY_ARGUMENTS, 0, int32_t(wanted)};
 		return;
 	}
 	if (p_count < first_default) {
-		r_error = { GDEXTENSION_CALL_ERROR_TOO_FEW_ARGUMENTS, 0, int32_t(first_default) };
+		r_error = {GDEXTENSION_CALL_ERROR_TOO_FEW_ARGUMENTS, 0, int32_t(first_default)};
 		return;
 	}
 	if (p_count == wanted) {
@@ -27,17 +27,18 @@ void MethodBind::call(void *p_instance, const Variant *const *p_args, int64_t p_
 	call_variants(p_instance, all.data(), r_ret, r_error);
 }
 
-void MethodBind::bind_call(void *p_bind, GDExtensionClassInstancePtr p_instance, const GDExtensionConstVariantPtr *p_args,
-		GDExtensionInt p_count, GDExtensionVariantPtr r_ret, GDExtensionCallError *r_error) {
+void MethodBind::bind_call(void *p_bind, GDExtensionClassInstancePtr p_instance,
+                           const GDExtensionConstVariantPtr *p_args, GDExtensionInt p_count,
+                           GDExtensionVariantPtr r_ret, GDExtensionCallError *r_error) {
 	r_error->error = GDEXTENSION_CALL_OK;
 	Variant result;
-	static_cast<const MethodBind *>(p_bind)->call(
-			p_instance, reinterpret_cast<const Variant *const *>(p_args), p_count, result, *r_error);
+	static_cast<const MethodBind *>(p_bind)->call(p_instance, reinterpret_cast<const Variant *const *>(p_args), p_count,
+	                                              result, *r_error);
 	*static_cast<Variant *>(r_ret) = std::move(result);
 }
 
-void MethodBind::bind_ptrcall(void *p_bind, GDExtensionClassInstancePtr p_instance, const GDExtensionConstTypePtr *p_args,
-		GDExtensionTypePtr r_ret) {
+void MethodBind::bind_ptrcall(void *p_bind, GDExtensionClassInstancePtr p_instance,
+                              const GDExtensionConstTypePtr *p_args, GDExtensionTypePtr r_ret) {
 	static_cast<const MethodBind *>(p_bind)->call_pointers(p_instance, p_args, r_ret);
 }
 
@@ -81,10 +82,10 @@ void PropertyListBuffer::release(const GDExtensionPropertyInfo *p_list) {
 
 } // namespace internal
 
-PropertyInfo::PropertyInfo(const GDExtensionPropertyInfo *p_info) :
-		type(Variant::Type(p_info->type)), name(*static_cast<const StringName *>(p_info->name)),
-		class_name(*static_cast<const StringName *>(p_info->class_name)), hint(p_info->hint),
-		hint_string(*static_cast<const String *>(p_info->hint_string)), usage(p_info->usage) {}
+PropertyInfo::PropertyInfo(const GDExtensionPropertyInfo *p_info)
+    : type(Variant::Type(p_info->type)), name(*static_cast<const StringName *>(p_info->name)),
+      class_name(*static_cast<const StringName *>(p_info->class_name)), hint(p_info->hint),
+      hint_string(*static_cast<const String *>(p_info->hint_string)), usage(p_info->usage) {}
 
 PropertyInfo::operator Dictionary() const {
 	Dictionary result;
@@ -118,8 +119,9 @@ void PropertyInfo::_update(GDExtensionPropertyInfo *r_info) const {
 }
 
 GDExtensionPropertyInfo PropertyInfo::_to_gdextension() const {
-	return { GDExtensionVariantType(type), name._native_ptr(), class_name._native_ptr(), hint, hint_string._native_ptr(),
-		usage };
+	return {GDExtensionVariantType(type), name._native_ptr(),
+	        class_name._native_ptr(),     hint,
+	        hint_string._native_ptr(),    usage};
 }
 
 } // namespace godot

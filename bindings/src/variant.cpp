@@ -86,8 +86,7 @@ Variant::operator Object *() const {
 
 namespace {
 
-template <class T>
-T convert_to(Variant::Type p_type, GDExtensionVariantPtr p_variant) {
+template <class T> T convert_to(Variant::Type p_type, GDExtensionVariantPtr p_variant) {
 	// The engine constructs the value in place, so it wants raw memory.
 	alignas(T) uint8_t memory[sizeof(T)];
 	to_type[p_type](memory, p_variant);
@@ -100,8 +99,12 @@ T convert_to(Variant::Type p_type, GDExtensionVariantPtr p_variant) {
 } // namespace
 
 #define GODOT_CPP_CONVERSIONS(m_type, m_variant)                                                                       \
-	Variant::Variant(const m_type &p_value) { from_type[m_variant](opaque, const_cast<m_type *>(&p_value)); }          \
-	Variant::operator m_type() const { return convert_to<m_type>(m_variant, _native_ptr()); }
+	Variant::Variant(const m_type &p_value) {                                                                          \
+		from_type[m_variant](opaque, const_cast<m_type *>(&p_value));                                                  \
+	}                                                                                                                  \
+	Variant::operator m_type() const {                                                                                 \
+		return convert_to<m_type>(m_variant, _native_ptr());                                                           \
+	}
 GODOT_CPP_VARIANT_TYPES(GODOT_CPP_CONVERSIONS)
 #undef GODOT_CPP_CONVERSIONS
 
@@ -144,10 +147,10 @@ bool Variant::operator<(const Variant &p_other) const {
 }
 
 void Variant::callp(const StringName &p_method, const Variant **p_args, int p_argcount, Variant &r_ret,
-		GDExtensionCallError &r_error) {
+                    GDExtensionCallError &r_error) {
 	r_ret.clear();
 	engine.variant_call(opaque, p_method._native_ptr(), reinterpret_cast<const GDExtensionConstVariantPtr *>(p_args),
-			p_argcount, r_ret.opaque, &r_error);
+	                    p_argcount, r_ret.opaque, &r_error);
 }
 
 void Variant::evaluate(const Operator &p_op, const Variant &p_a, const Variant &p_b, Variant &r_ret, bool &r_valid) {

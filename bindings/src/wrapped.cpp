@@ -3,15 +3,14 @@
 #include <godot_cpp/classes/object.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 
-
 namespace godot {
 
 namespace internal {
 
 namespace {
 
-// Objects whose memory is there but whose constructor has not reached Wrapped yet. More than one only if a constructor's
-// arguments make objects themselves.
+// Objects whose memory is there but whose constructor has not reached Wrapped yet. More than one only if a
+// constructor's arguments make objects themselves.
 struct PendingCreation {
 	void *memory;
 	const ClassDescription *description;
@@ -36,8 +35,9 @@ const ClassDescription *take_pending(const void *p_memory) {
 void *allocate(size_t p_size, const ClassDescription *p_description) {
 	void *memory = Memory::alloc_static(p_size);
 	if (p_description) {
-		CRASH_COND_MSG(pending_count == max_pending, "Too many objects are made in each other's constructor arguments.");
-		pending[pending_count++] = { memory, p_description };
+		CRASH_COND_MSG(pending_count == max_pending,
+		               "Too many objects are made in each other's constructor arguments.");
+		pending[pending_count++] = {memory, p_description};
 	}
 	return memory;
 }

@@ -47,8 +47,8 @@ const GDExtensionInstanceBindingCallbacks *find_callbacks(const StringName &p_cl
 		found = classes.find(known._identity());
 	}
 	const GDExtensionInstanceBindingCallbacks *callbacks =
-			found == classes.end() ? Object::_gde_callbacks() : found->second.callbacks;
-	classes.emplace(p_class._identity(), KnownClass{ p_class, callbacks });
+	        found == classes.end() ? Object::_gde_callbacks() : found->second.callbacks;
+	classes.emplace(p_class._identity(), KnownClass{p_class, callbacks});
 	return callbacks;
 }
 
@@ -56,7 +56,7 @@ const GDExtensionInstanceBindingCallbacks *find_callbacks(const StringName &p_cl
 
 void register_engine_class(const StringName &p_class, const GDExtensionInstanceBindingCallbacks *p_callbacks) {
 	const std::lock_guard lock(registry().mutex);
-	registry().classes.insert_or_assign(p_class._identity(), KnownClass{ p_class, p_callbacks });
+	registry().classes.insert_or_assign(p_class._identity(), KnownClass{p_class, p_callbacks});
 }
 
 void register_extension_class(const StringName &p_class) {

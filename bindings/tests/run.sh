@@ -36,5 +36,14 @@ grep -q '^bindings tests: end$' "$log" || complain "the run did not reach its en
 [ "$status" -eq 0 ] || [ "$failed" -gt 0 ] || complain "the engine ended with status $status"
 [ "$(grep -c 'expected' "$log")" -ge 6 ] || complain "the error macros did not report what they should"
 [ -z "$unexpected" ] || complain "the engine reported: $unexpected"
+
+# Upstream's list of classes must say what the addon's sources include.
+top=$here/../..
+if python3 "$here/../generate.py" --api "$build/api/extension_api.json" --sources "$top/src/godot" \
+	--profile "$top/build_profile.json" --check; then
+	passed=$((passed + 1))
+else
+	complain "build_profile.json and the sources differ"
+fi
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

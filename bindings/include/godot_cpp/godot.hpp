@@ -34,7 +34,7 @@ public:
 
 	public:
 		InitObject(GDExtensionInterfaceGetProcAddress p_get_proc_address, GDExtensionClassLibraryPtr p_library,
-				GDExtensionInitialization *r_initialization);
+		           GDExtensionInitialization *r_initialization);
 
 		void register_initializer(Callback p_init) const;
 		void register_terminator(Callback p_terminate) const;

@@ -39,7 +39,8 @@ PackedStringArray ProbeChecks::run_objects() {
 	check(node->get_child(0, true) == plain, "the same engine object has the same wrapper");
 	Node *nested = memnew(ProbeChild);
 	nested->add_child(node);
-	check(nested->get_node<ProbeNode>("probe") == node && nested->get_node<ProbeChild>("probe") == nullptr, "get_node<T> casts");
+	check(nested->get_node<ProbeNode>("probe") == node && nested->get_node<ProbeChild>("probe") == nullptr,
+	      "get_node<T> casts");
 	const uint64_t id = node->get_instance_id();
 	memdelete(nested);
 	check(ObjectDB::get_instance(id) == nullptr, "a freed object's id leads nowhere");
@@ -122,7 +123,8 @@ PackedStringArray ProbeChecks::run_engine_calls() {
 	check(int(engine->get_version_info()["major"]) == 4, "a Dictionary comes back");
 	check(OS::get_singleton()->has_feature("linux") || OS::get_singleton()->get_name() != "Linux", "a bool comes back");
 	check(Time::get_singleton()->get_ticks_usec() > 0, "a number comes back");
-	check(ProjectSettings::get_singleton()->get_setting("no/such", 5) == Variant(5), "a default argument of type Variant");
+	check(ProjectSettings::get_singleton()->get_setting("no/such", 5) == Variant(5),
+	      "a default argument of type Variant");
 	SceneTree *tree = Object::cast_to<SceneTree>(engine->get_main_loop());
 	check(tree != nullptr, "an object comes back as its own class");
 	Node *node = memnew(Node);

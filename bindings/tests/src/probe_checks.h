@@ -22,7 +22,9 @@ public:
 	int get_passed() const { return _passed; }
 	// The C++ object behind an engine object, as a number.
 	uint64_t wrapper_of(godot::Object *p_object) const { return reinterpret_cast<uint64_t>(p_object); }
-	int reference_count_of(const godot::Ref<godot::RefCounted> &p_object) const { return p_object->get_reference_count(); }
+	int reference_count_of(const godot::Ref<godot::RefCounted> &p_object) const {
+		return p_object->get_reference_count();
+	}
 	void churn(int p_count);
 
 	void on_called(int p_value, const godot::String &p_text);

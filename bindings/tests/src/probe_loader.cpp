@@ -17,7 +17,7 @@ void ProbeResource::_bind_methods() {
 }
 
 PackedStringArray ProbeLoader::_get_recognized_extensions() const {
-	return { "probe" };
+	return {"probe"};
 }
 
 bool ProbeLoader::_handles_type(const StringName &p_type) const {
@@ -55,5 +55,5 @@ bool ProbeSaver::_recognize(const Ref<Resource> &p_resource) const {
 }
 
 PackedStringArray ProbeSaver::_get_recognized_extensions(const Ref<Resource> &p_resource) const {
-	return _recognize(p_resource) ? PackedStringArray{ "probe" } : PackedStringArray();
+	return _recognize(p_resource) ? PackedStringArray{"probe"} : PackedStringArray();
 }

@@ -28,7 +28,7 @@ public:
 	bool _handles_type(const godot::StringName &p_type) const override;
 	godot::String _get_resource_type(const godot::String &p_path) const override;
 	godot::Variant _load(const godot::String &p_path, const godot::String &p_original_path, bool p_use_sub_threads,
-			int32_t p_cache_mode) const override;
+	                     int32_t p_cache_mode) const override;
 
 protected:
 	static void _bind_methods() {}
@@ -38,7 +38,8 @@ class ProbeSaver : public godot::ResourceFormatSaver {
 	GDCLASS(ProbeSaver, godot::ResourceFormatSaver)
 
 public:
-	godot::Error _save(const godot::Ref<godot::Resource> &p_resource, const godot::String &p_path, uint32_t p_flags) override;
+	godot::Error _save(const godot::Ref<godot::Resource> &p_resource, const godot::String &p_path,
+	                   uint32_t p_flags) override;
 	bool _recognize(const godot::Ref<godot::Resource> &p_resource) const override;
 	godot::PackedStringArray _get_recognized_extensions(const godot::Ref<godot::Resource> &p_resource) const override;
 

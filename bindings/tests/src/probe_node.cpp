@@ -52,20 +52,20 @@ void ProbeNode::_process(double p_delta) {
 }
 
 PackedStringArray ProbeNode::_get_configuration_warnings() const {
-	return { String::utf8("größer"), "b" };
+	return {String::utf8("größer"), "b"};
 }
 
 void ProbeNode::_notification(int p_what) {
 	switch (p_what) {
-		case NOTIFICATION_POSTINITIALIZE:
-			_heard.push_back("made");
-			break;
-		case NOTIFICATION_ENTER_TREE:
-			_heard.push_back("entered");
-			break;
-		case NOTIFICATION_EXIT_TREE:
-			_heard.push_back("left");
-			break;
+	case NOTIFICATION_POSTINITIALIZE:
+		_heard.push_back("made");
+		break;
+	case NOTIFICATION_ENTER_TREE:
+		_heard.push_back("entered");
+		break;
+	case NOTIFICATION_EXIT_TREE:
+		_heard.push_back("left");
+		break;
 	}
 }
 
@@ -121,7 +121,8 @@ void ProbeNode::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_parts"), &ProbeNode::get_parts);
 	ClassDB::bind_method(D_METHOD("set_slot", "index", "value"), &ProbeNode::set_slot);
 	ClassDB::bind_method(D_METHOD("get_slot", "index"), &ProbeNode::get_slot);
-	ClassDB::bind_method(D_METHOD("describe", "prefix", "times", "loud"), &ProbeNode::describe, DEFVAL(2), DEFVAL(false));
+	ClassDB::bind_method(D_METHOD("describe", "prefix", "times", "loud"), &ProbeNode::describe, DEFVAL(2),
+	                     DEFVAL(false));
 	ClassDB::bind_method(D_METHOD("get_ready_count"), &ProbeNode::get_ready_count);
 	ClassDB::bind_method(D_METHOD("get_heard"), &ProbeNode::get_heard);
 	ClassDB::bind_method(D_METHOD("get_processed"), &ProbeNode::get_processed);
@@ -136,7 +137,7 @@ void ProbeNode::_bind_methods() {
 	ADD_PROPERTYI(PropertyInfo(Variant::INT, "first_slot"), "set_slot", "get_slot", 0);
 	ADD_PROPERTYI(PropertyInfo(Variant::INT, "second_slot"), "set_slot", "get_slot", 1);
 	ADD_SIGNAL(MethodInfo("speed_changed", PropertyInfo(Variant::FLOAT, "speed"),
-			PropertyInfo(Variant::OBJECT, "node", PROPERTY_HINT_NODE_TYPE, "ProbeNode")));
+	                      PropertyInfo(Variant::OBJECT, "node", PROPERTY_HINT_NODE_TYPE, "ProbeNode")));
 	BIND_ENUM_CONSTANT(MODE_IDLE);
 	BIND_ENUM_CONSTANT(MODE_BUSY);
 	BIND_BITFIELD_FLAG(PART_ARM);

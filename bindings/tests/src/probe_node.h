@@ -52,7 +52,7 @@ private:
 	double _processed = 0;
 	Mode _mode = MODE_IDLE;
 	godot::BitField<Parts> _parts = 0;
-	int _slots[2] = { 0, 0 };
+	int _slots[2] = {0, 0};
 	godot::Variant _dynamic;
 	int _ready_count = 0;
 	static int _alive;

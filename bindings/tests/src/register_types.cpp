@@ -49,7 +49,8 @@ void uninitialize_probe_module(ModuleInitializationLevel p_level) {
 } // namespace
 
 extern "C" GDExtensionBool GDE_EXPORT probe_library_init(GDExtensionInterfaceGetProcAddress p_get_proc_address,
-		GDExtensionClassLibraryPtr p_library, GDExtensionInitialization *r_initialization) {
+                                                         GDExtensionClassLibraryPtr p_library,
+                                                         GDExtensionInitialization *r_initialization) {
 	GDExtensionBinding::InitObject init(p_get_proc_address, p_library, r_initialization);
 	init.register_initializer(initialize_probe_module);
 	init.register_terminator(uninitialize_probe_module);

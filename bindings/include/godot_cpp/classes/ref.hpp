@@ -9,8 +9,7 @@
 namespace godot {
 
 // A counted pointer to a RefCounted object; the last one frees it.
-template <typename T>
-class Ref {
+template <typename T> class Ref {
 	T *reference = nullptr;
 
 	void ref(T *p_object) {
@@ -28,8 +27,7 @@ class Ref {
 			reference = p_object;
 		}
 	}
-	template <typename U>
-	static T *convert(U *p_object) {
+	template <typename U> static T *convert(U *p_object) {
 		if constexpr (std::is_base_of_v<T, U>) {
 			return p_object;
 		} else {
@@ -41,10 +39,7 @@ public:
 	Ref() = default;
 	Ref(const Ref &p_from) { ref(p_from.reference); }
 	Ref(Ref &&p_from) : reference(p_from.reference) { p_from.reference = nullptr; }
-	template <typename U>
-	Ref(const Ref<U> &p_from) {
-		ref(convert(const_cast<U *>(p_from.ptr())));
-	}
+	template <typename U> Ref(const Ref<U> &p_from) { ref(convert(const_cast<U *>(p_from.ptr()))); }
 	Ref(T *p_reference) { ref_pointer(p_reference); }
 	Ref(const Variant &p_variant) { ref(Object::cast_to<T>(p_variant.get_validated_object())); }
 	~Ref() { unref(); }
@@ -60,20 +55,10 @@ public:
 		}
 		return *this;
 	}
-	template <typename U>
-	void operator=(const Ref<U> &p_from) {
-		ref(convert(const_cast<U *>(p_from.ptr())));
-	}
-	void operator=(T *p_from) {
-		if (p_from != reference) {
-			unref();
-			ref_pointer(p_from);
-		}
-	}
+	template <typename U> void operator=(const Ref<U> &p_from) { ref(convert(const_cast<U *>(p_from.ptr()))); }
 	void operator=(const Variant &p_variant) { ref(Object::cast_to<T>(p_variant.get_validated_object())); }
 
-	template <typename U>
-	void reference_ptr(U *p_object) {
+	template <typename U> void reference_ptr(U *p_object) {
 		if (reference != p_object) {
 			unref();
 			ref_pointer(convert(p_object));
@@ -113,8 +98,7 @@ public:
 	}
 };
 
-template <typename T>
-struct PtrToArg<Ref<T>> {
+template <typename T> struct PtrToArg<Ref<T>> {
 	// The address of a Ref on the engine's side.
 	using EncodeT = GDExtensionObjectPtr;
 
@@ -129,8 +113,7 @@ struct PtrToArg<Ref<T>> {
 	}
 };
 
-template <typename T>
-struct GetTypeInfo<Ref<T>> : internal::PlainTypeInfo<Variant::OBJECT> {
+template <typename T> struct GetTypeInfo<Ref<T>> : internal::PlainTypeInfo<Variant::OBJECT> {
 	static PropertyInfo get_class_info() {
 		return PropertyInfo(Variant::OBJECT, StringName(), PROPERTY_HINT_RESOURCE_TYPE, T::get_class_static());
 	}

@@ -1,8 +1,8 @@
 // The base of every class: the tie between a C++ object and its engine object, and the GDCLASS macro.
 //
-// A C++ object and an engine object come in pairs. An *engine class* (Node3D) has a wrapper, made when its engine object
-// is first seen here and freed with it. An *extension class* (GDCLASS) has an instance, made together with its engine
-// object, whoever asks for it, and freed by it. Either way the engine object owns the C++ object.
+// A C++ object and an engine object come in pairs. An *engine class* (Node3D) has a wrapper, made when its engine
+// object is first seen here and freed with it. An *extension class* (GDCLASS) has an instance, made together with its
+// engine object, whoever asks for it, and freed by it. Either way the engine object owns the C++ object.
 #pragma once
 
 #include <godot_cpp/core/memory.hpp>
@@ -52,11 +52,9 @@ public:
 namespace internal {
 
 // The engine's hooks of an extension class, defined in core/class_hooks.hpp.
-template <class T>
-struct ClassHooks;
+template <class T> struct ClassHooks;
 
-template <class T>
-struct EngineClassBinding {
+template <class T> struct EngineClassBinding {
 	static void *create(void *, void *p_engine_object) {
 		return new (AllocationTag{}) T(static_cast<GodotObject *>(p_engine_object));
 	}
@@ -65,7 +63,7 @@ struct EngineClassBinding {
 		Memory::free_static(p_wrapper);
 	}
 	static GDExtensionBool reference(void *, void *, GDExtensionBool) { return true; }
-	static constexpr GDExtensionInstanceBindingCallbacks callbacks = { create, free, reference };
+	static constexpr GDExtensionInstanceBindingCallbacks callbacks = {create, free, reference};
 };
 
 struct ExtensionClassBinding {
@@ -74,7 +72,7 @@ struct ExtensionClassBinding {
 	// The instance goes with the engine object's `free_instance`.
 	static void free(void *, void *, void *) {}
 	static GDExtensionBool reference(void *, void *, GDExtensionBool) { return true; }
-	static constexpr GDExtensionInstanceBindingCallbacks callbacks = { create, free, reference };
+	static constexpr GDExtensionInstanceBindingCallbacks callbacks = {create, free, reference};
 };
 
 } // namespace internal
@@ -84,8 +82,7 @@ struct ExtensionClassBinding {
 #define GDCLASS(m_class, m_inherits)                                                                                   \
 private:                                                                                                               \
 	friend class ::godot::ClassDB;                                                                                     \
-	template <class>                                                                                                   \
-	friend struct ::godot::internal::ClassHooks;                                                                       \
+	template <class> friend struct ::godot::internal::ClassHooks;                                                      \
 	void operator=(const m_class &) = delete;                                                                          \
                                                                                                                        \
 public:                                                                                                                \
@@ -95,11 +92,12 @@ public:                                                                         
 		static const ::godot::StringName &name = ::godot::internal::make_static_name(#m_class);                        \
 		return name;                                                                                                   \
 	}                                                                                                                  \
-	static const ::godot::StringName &get_parent_class_static() { return m_inherits::get_class_static(); }             \
+	static const ::godot::StringName &get_parent_class_static() {                                                      \
+		return m_inherits::get_class_static();                                                                         \
+	}                                                                                                                  \
 	static const ::godot::internal::ClassDescription *_gde_description() {                                             \
 		static const ::godot::internal::ClassDescription description = {                                               \
-			&get_class_static(), &::godot::internal::ExtensionClassBinding::callbacks                                  \
-		};                                                                                                             \
+		        &get_class_static(), &::godot::internal::ExtensionClassBinding::callbacks};                            \
 		return &description;                                                                                           \
 	}                                                                                                                  \
                                                                                                                        \
@@ -126,7 +124,7 @@ public:                                                                         
 		return &::godot::internal::EngineClassBinding<m_class>::callbacks;                                             \
 	}                                                                                                                  \
 	static const ::godot::internal::ClassDescription *_gde_description() {                                             \
-		static const ::godot::internal::ClassDescription description = { nullptr, _gde_callbacks() };                  \
+		static const ::godot::internal::ClassDescription description = {nullptr, _gde_callbacks()};                    \
 		return &description;                                                                                           \
 	}                                                                                                                  \
                                                                                                                        \

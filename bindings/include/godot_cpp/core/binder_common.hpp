@@ -10,8 +10,7 @@
 
 namespace godot {
 
-template <class T>
-struct VariantCaster {
+template <class T> struct VariantCaster {
 	static T cast(const Variant &p_variant) {
 		if constexpr (std::is_enum_v<T>) {
 			return static_cast<T>(p_variant.operator int64_t());
@@ -28,38 +27,30 @@ struct VariantCaster {
 		}
 	}
 };
-template <class T>
-struct VariantCaster<BitField<T>> {
+template <class T> struct VariantCaster<BitField<T>> {
 	static BitField<T> cast(const Variant &p_variant) { return p_variant.operator int64_t(); }
 };
-template <class T>
-struct VariantCaster<const T> : VariantCaster<T> {};
-template <class T>
-struct VariantCaster<T &> : VariantCaster<internal::Bare<T>> {};
+template <class T> struct VariantCaster<const T> : VariantCaster<T> {};
+template <class T> struct VariantCaster<T &> : VariantCaster<internal::Bare<T>> {};
 
 namespace internal {
 
-template <class M>
-struct MethodTraits;
-template <class R, class... P>
-struct MethodTraits<R (*)(P...)> {
+template <class M> struct MethodTraits;
+template <class R, class... P> struct MethodTraits<R (*)(P...)> {
 	using Return = R;
 	using Arguments = std::tuple<P...>;
 	using Class = void;
 	static constexpr bool is_const = false;
 };
-template <class C, class R, class... P>
-struct MethodTraits<R (C::*)(P...)> : MethodTraits<R (*)(P...)> {
+template <class C, class R, class... P> struct MethodTraits<R (C::*)(P...)> : MethodTraits<R (*)(P...)> {
 	using Class = C;
 };
-template <class C, class R, class... P>
-struct MethodTraits<R (C::*)(P...) const> : MethodTraits<R (*)(P...)> {
+template <class C, class R, class... P> struct MethodTraits<R (C::*)(P...) const> : MethodTraits<R (*)(P...)> {
 	using Class = C;
 	static constexpr bool is_const = true;
 };
 
-template <class T>
-bool accepts(const Variant &p_value) {
+template <class T> bool accepts(const Variant &p_value) {
 	using Value = Bare<T>;
 	constexpr Variant::Type wanted = GetTypeInfo<Value>::VARIANT_TYPE;
 	if constexpr (wanted == Variant::NIL) {
@@ -80,10 +71,10 @@ bool accepts(const Variant &p_value) {
 
 template <class... P, size_t... I>
 bool check_arguments([[maybe_unused]] const Variant *const *p_args, GDExtensionCallError &r_error, std::tuple<P...> *,
-		std::index_sequence<I...>) {
+                     std::index_sequence<I...>) {
 	[[maybe_unused]] auto check = [&](bool p_accepted, size_t p_index, Variant::Type p_wanted) {
 		if (!p_accepted && r_error.error == GDEXTENSION_CALL_OK) {
-			r_error = { GDEXTENSION_CALL_ERROR_INVALID_ARGUMENT, int32_t(p_index), int32_t(p_wanted) };
+			r_error = {GDEXTENSION_CALL_ERROR_INVALID_ARGUMENT, int32_t(p_index), int32_t(p_wanted)};
 		}
 	};
 	(check(accepts<P>(*p_args[I]), I, GetTypeInfo<P>::VARIANT_TYPE), ...);
@@ -92,7 +83,7 @@ bool check_arguments([[maybe_unused]] const Variant *const *p_args, GDExtensionC
 
 template <class M, class C, class... P, size_t... I, class Get>
 decltype(auto) invoke_method(M p_method, [[maybe_unused]] C *p_instance, std::tuple<P...> *, std::index_sequence<I...>,
-		[[maybe_unused]] Get p_get) {
+                             [[maybe_unused]] Get p_get) {
 	if constexpr (std::is_member_function_pointer_v<M>) {
 		return (p_instance->*p_method)(p_get.template operator()<P>(I)...);
 	} else {
@@ -103,7 +94,7 @@ decltype(auto) invoke_method(M p_method, [[maybe_unused]] C *p_instance, std::tu
 // Calls with exactly as many Variants as there are parameters.
 template <class M>
 void call_with_variants(M p_method, typename MethodTraits<M>::Class *p_instance, const Variant *const *p_args,
-		Variant &r_ret, GDExtensionCallError &r_error) {
+                        Variant &r_ret, GDExtensionCallError &r_error) {
 	using Traits = MethodTraits<M>;
 	using Arguments = typename Traits::Arguments;
 	constexpr auto indices = std::make_index_sequence<std::tuple_size_v<Arguments>>{};
@@ -121,7 +112,7 @@ void call_with_variants(M p_method, typename MethodTraits<M>::Class *p_instance,
 
 template <class M>
 void call_with_pointers(M p_method, typename MethodTraits<M>::Class *p_instance, const GDExtensionConstTypePtr *p_args,
-		GDExtensionTypePtr r_ret) {
+                        GDExtensionTypePtr r_ret) {
 	using Traits = MethodTraits<M>;
 	using Arguments = typename Traits::Arguments;
 	constexpr auto indices = std::make_index_sequence<std::tuple_size_v<Arguments>>{};
@@ -130,7 +121,7 @@ void call_with_pointers(M p_method, typename MethodTraits<M>::Class *p_instance,
 		invoke_method(p_method, p_instance, static_cast<Arguments *>(nullptr), indices, get);
 	} else {
 		PtrToArg<typename Traits::Return>::encode(
-				invoke_method(p_method, p_instance, static_cast<Arguments *>(nullptr), indices, get), r_ret);
+		        invoke_method(p_method, p_instance, static_cast<Arguments *>(nullptr), indices, get), r_ret);
 	}
 }
 

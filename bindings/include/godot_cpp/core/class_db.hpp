@@ -23,12 +23,20 @@ struct MethodDefinition {
 	MethodDefinition(StringName p_name) : name(p_name) {}
 };
 
-template <typename... Args>
-MethodDefinition D_METHOD(StringName p_name, const Args &...p_args) {
+template <typename... Args> MethodDefinition D_METHOD(StringName p_name, const Args &...p_args) {
 	MethodDefinition definition(p_name);
-	definition.args = { StringName(p_args)... };
+	definition.args = {StringName(p_args)...};
 	return definition;
 }
+
+namespace internal {
+
+struct NameHash {
+	size_t operator()(const StringName &p_name) const { return std::hash<const void *>()(p_name._identity()); }
+};
+template <class T> using NameMap = std::unordered_map<StringName, T, NameHash>;
+
+} // namespace internal
 
 class ClassDB {
 	friend class GDExtensionBinding;
@@ -46,7 +54,7 @@ class ClassDB {
 		StringName name;
 		ClassInfo *parent = nullptr;
 		GDExtensionInitializationLevel level = GDEXTENSION_INITIALIZATION_SCENE;
-		std::unordered_map<StringName, std::unique_ptr<MethodBind, MethodBindDeleter>> methods;
+		internal::NameMap<std::unique_ptr<MethodBind, MethodBindDeleter>> methods;
 		std::set<StringName> properties;
 		std::set<StringName> signals;
 		std::set<StringName> constants;
@@ -63,23 +71,23 @@ class ClassDB {
 
 	static ClassInfo *find_class(const StringName &p_name);
 	static ClassInfo &begin_class(const StringName &p_name, const StringName &p_parent,
-			GDExtensionClassCreationInfo5 &p_info, const RegisterOptions &p_options);
+	                              GDExtensionClassCreationInfo5 &p_info, const RegisterOptions &p_options);
 	static MethodBind *add_method(MethodBind *p_bind, const MethodDefinition &p_definition,
-			std::vector<Variant> p_defaults);
+	                              std::vector<Variant> p_defaults);
 	static void announce_method(const ClassInfo &p_class, MethodBind &p_bind);
 	static const MethodBind *find_method(const ClassInfo *p_class, const StringName &p_name);
-	static GDExtensionClassCallVirtual get_virtual(void *p_class, GDExtensionConstStringNamePtr p_name, uint32_t p_hash);
+	static GDExtensionClassCallVirtual get_virtual(void *p_class, GDExtensionConstStringNamePtr p_name,
+	                                               uint32_t p_hash);
 
 	static void set_level(GDExtensionInitializationLevel p_level);
 	// Takes back the classes of the level, newest first.
 	static void deinitialize(GDExtensionInitializationLevel p_level);
 
-	template <class T>
-	static void register_class_as(const RegisterOptions &p_options) {
+	template <class T> static void register_class_as(const RegisterOptions &p_options) {
 		static_assert(std::is_same_v<typename T::self_type, T>, "Class not declared properly, please use GDCLASS.");
 		static_assert(!std::is_same_v<std::integral_constant<void (*)(), &T::_bind_methods>,
-							  std::integral_constant<void (*)(), &T::parent_type::_bind_methods>>,
-				"Class must declare 'static void _bind_methods'.");
+		                              std::integral_constant<void (*)(), &T::parent_type::_bind_methods>>,
+		              "Class must declare 'static void _bind_methods'.");
 		GDExtensionClassCreationInfo5 info = internal::ClassHooks<T>::creation_info();
 		begin_class(T::get_class_static(), T::get_parent_class_static(), info, p_options);
 		T::_bind_methods();
@@ -87,50 +95,39 @@ class ClassDB {
 	}
 
 public:
-	template <class T>
-	static void register_class(bool p_virtual = false) {
+	template <class T> static void register_class(bool p_virtual = false) {
 		static_assert(!std::is_abstract_v<T>, "Class is abstract, please use GDREGISTER_ABSTRACT_CLASS.");
-		register_class_as<T>({ .is_virtual = p_virtual });
+		register_class_as<T>({.is_virtual = p_virtual});
 	}
-	template <class T>
-	static void register_abstract_class() {
-		register_class_as<T>({ .is_abstract = true });
-	}
-	template <class T>
-	static void register_internal_class() {
-		register_class_as<T>({ .is_exposed = false });
-	}
-	template <class T>
-	static void register_runtime_class() {
-		register_class_as<T>({ .is_runtime = true });
-	}
+	template <class T> static void register_abstract_class() { register_class_as<T>({.is_abstract = true}); }
+	template <class T> static void register_internal_class() { register_class_as<T>({.is_exposed = false}); }
+	template <class T> static void register_runtime_class() { register_class_as<T>({.is_runtime = true}); }
 
 	template <class N, class M, typename... Defaults>
 	static MethodBind *bind_method(N p_definition, M p_method, Defaults... p_defaults) {
-		return add_method(memnew(internal::MethodBindOf<M>(p_method)), p_definition, { Variant(p_defaults)... });
+		return add_method(memnew(internal::MethodBindOf<M>(p_method)), p_definition, {Variant(p_defaults)...});
 	}
 	template <class N, class M, typename... Defaults>
 	static MethodBind *bind_static_method(StringName p_class, N p_definition, M p_method, Defaults... p_defaults) {
-		return add_method(memnew(internal::MethodBindOf<M>(p_class, p_method)), p_definition, { Variant(p_defaults)... });
+		return add_method(memnew(internal::MethodBindOf<M>(p_class, p_method)), p_definition, {Variant(p_defaults)...});
 	}
 
 	static void add_property_group(const StringName &p_class, const String &p_name, const String &p_prefix);
 	static void add_property_subgroup(const StringName &p_class, const String &p_name, const String &p_prefix);
 	static void add_property(const StringName &p_class, const PropertyInfo &p_info, const StringName &p_setter,
-			const StringName &p_getter, int p_index = -1);
+	                         const StringName &p_getter, int p_index = -1);
 	static void add_signal(const StringName &p_class, const MethodInfo &p_signal);
 	static void bind_integer_constant(const StringName &p_class, const StringName &p_enum, const StringName &p_constant,
-			GDExtensionInt p_value, bool p_is_bitfield = false);
+	                                  GDExtensionInt p_value, bool p_is_bitfield = false);
 	static void bind_virtual_method(const StringName &p_class, const StringName &p_method,
-			GDExtensionClassCallVirtual p_call, uint32_t p_hash);
+	                                GDExtensionClassCallVirtual p_call, uint32_t p_hash);
 };
 
 namespace internal {
 
-template <class T, auto Method>
-void bind_virtual(const char *p_name, uint32_t p_hash) {
+template <class T, auto Method> void bind_virtual(const char *p_name, uint32_t p_hash) {
 	auto call = [](GDExtensionClassInstancePtr p_instance, const GDExtensionConstTypePtr *p_args,
-						GDExtensionTypePtr r_ret) {
+	               GDExtensionTypePtr r_ret) {
 		using Owner = typename MethodTraits<decltype(Method)>::Class;
 		call_with_pointers(Method, static_cast<Owner *>(static_cast<Wrapped *>(p_instance)), p_args, r_ret);
 	};
@@ -144,10 +141,12 @@ void bind_virtual(const char *p_name, uint32_t p_hash) {
 	::godot::ClassDB::bind_integer_constant(get_class_static(), "", #m_constant, m_constant);
 #define BIND_ENUM_CONSTANT(m_constant)                                                                                 \
 	::godot::ClassDB::bind_integer_constant(get_class_static(),                                                        \
-			::godot::_gde_constant_get_enum_name(m_constant, #m_constant), #m_constant, m_constant);
+	                                        ::godot::_gde_constant_get_enum_name(m_constant, #m_constant),             \
+	                                        #m_constant, m_constant);
 #define BIND_BITFIELD_FLAG(m_constant)                                                                                 \
 	::godot::ClassDB::bind_integer_constant(get_class_static(),                                                        \
-			::godot::_gde_constant_get_enum_name(m_constant, #m_constant), #m_constant, m_constant, true);
+	                                        ::godot::_gde_constant_get_enum_name(m_constant, #m_constant),             \
+	                                        #m_constant, m_constant, true);
 
 #define GDREGISTER_CLASS(m_class) ::godot::ClassDB::register_class<m_class>();
 #define GDREGISTER_VIRTUAL_CLASS(m_class) ::godot::ClassDB::register_class<m_class>(true);

@@ -5,8 +5,7 @@
 
 namespace godot::internal {
 
-template <class T>
-constexpr bool is_extension_class = !std::is_same_v<typename T::_gde_engine_class, T>;
+template <class T> constexpr bool is_extension_class = !std::is_same_v<typename T::_gde_engine_class, T>;
 
 // The list handed to the engine by `get_property_list`, kept until the engine gives it back.
 struct PropertyListBuffer {
@@ -17,27 +16,28 @@ struct PropertyListBuffer {
 };
 
 // One definition per class. "Own" means declared in that very class: only then does the member pointer's type name it.
-template <class T>
-struct ClassHooks {
+template <class T> struct ClassHooks {
 	using Parent = typename T::parent_type;
 	static constexpr bool parent_is_ours = is_extension_class<Parent>;
 
 	static T *self(void *p_instance) { return static_cast<T *>(static_cast<Wrapped *>(p_instance)); }
-	static const StringName &name(GDExtensionConstStringNamePtr p_name) { return *static_cast<const StringName *>(p_name); }
+	static const StringName &name(GDExtensionConstStringNamePtr p_name) {
+		return *static_cast<const StringName *>(p_name);
+	}
 
 	static constexpr bool own_notification = std::is_same_v<decltype(&T::_notification), void (T::*)(int)>;
 	static constexpr bool own_set =
-			std::is_same_v<decltype(&T::_set), bool (T::*)(const StringName &, const Variant &)>;
+	        std::is_same_v<decltype(&T::_set), bool (T::*)(const StringName &, const Variant &)>;
 	static constexpr bool own_get =
-			std::is_same_v<decltype(&T::_get), bool (T::*)(const StringName &, Variant &) const>;
+	        std::is_same_v<decltype(&T::_get), bool (T::*)(const StringName &, Variant &) const>;
 	static constexpr bool own_list =
-			std::is_same_v<decltype(&T::_get_property_list), void (T::*)(List<PropertyInfo> *) const>;
+	        std::is_same_v<decltype(&T::_get_property_list), void (T::*)(List<PropertyInfo> *) const>;
 	static constexpr bool own_can_revert =
-			std::is_same_v<decltype(&T::_property_can_revert), bool (T::*)(const StringName &) const>;
+	        std::is_same_v<decltype(&T::_property_can_revert), bool (T::*)(const StringName &) const>;
 	static constexpr bool own_get_revert =
-			std::is_same_v<decltype(&T::_property_get_revert), bool (T::*)(const StringName &, Variant &) const>;
+	        std::is_same_v<decltype(&T::_property_get_revert), bool (T::*)(const StringName &, Variant &) const>;
 	static constexpr bool own_validate =
-			std::is_same_v<decltype(&T::_validate_property), void (T::*)(PropertyInfo &) const>;
+	        std::is_same_v<decltype(&T::_validate_property), void (T::*)(PropertyInfo &) const>;
 	static constexpr bool own_to_string = std::is_same_v<decltype(&T::_to_string), String (T::*)() const>;
 
 	static GDExtensionObjectPtr create(void *, GDExtensionBool p_notify) {
@@ -76,7 +76,7 @@ struct ClassHooks {
 	}
 
 	static GDExtensionBool set(GDExtensionClassInstancePtr p_instance, GDExtensionConstStringNamePtr p_name,
-			GDExtensionConstVariantPtr p_value) {
+	                           GDExtensionConstVariantPtr p_value) {
 		if constexpr (parent_is_ours) {
 			if (ClassHooks<Parent>::set(p_instance, p_name, p_value)) {
 				return true;
@@ -89,7 +89,7 @@ struct ClassHooks {
 	}
 
 	static GDExtensionBool get(GDExtensionClassInstancePtr p_instance, GDExtensionConstStringNamePtr p_name,
-			GDExtensionVariantPtr r_value) {
+	                           GDExtensionVariantPtr r_value) {
 		if constexpr (parent_is_ours) {
 			if (ClassHooks<Parent>::get(p_instance, p_name, r_value)) {
 				return true;
@@ -141,7 +141,7 @@ struct ClassHooks {
 	}
 
 	static GDExtensionBool get_revert(GDExtensionClassInstancePtr p_instance, GDExtensionConstStringNamePtr p_name,
-			GDExtensionVariantPtr r_value) {
+	                                  GDExtensionVariantPtr r_value) {
 		if constexpr (own_get_revert) {
 			if (self(p_instance)->T::_property_get_revert(name(p_name), *static_cast<Variant *>(r_value))) {
 				return true;
@@ -167,7 +167,8 @@ struct ClassHooks {
 		return validated;
 	}
 
-	static void to_string(GDExtensionClassInstancePtr p_instance, GDExtensionBool *r_is_valid, GDExtensionStringPtr r_out) {
+	static void to_string(GDExtensionClassInstancePtr p_instance, GDExtensionBool *r_is_valid,
+	                      GDExtensionStringPtr r_out) {
 		if constexpr (own_to_string) {
 			*static_cast<String *>(r_out) = self(p_instance)->T::_to_string();
 			*r_is_valid = true;

@@ -30,24 +30,30 @@
 #define unlikely(m_x) m_x
 #endif
 
+namespace godot {
+
 #ifdef REAL_T_IS_DOUBLE
 typedef double real_t;
 #else
 typedef float real_t;
 #endif
 
-#ifndef ABS
-#define ABS(m_v) (((m_v) < 0) ? (-(m_v)) : (m_v))
-#endif
-#ifndef SIGN
-#define SIGN(m_v) (((m_v) == 0) ? (0.0f) : (((m_v) < 0) ? (-1.0f) : (+1.0f)))
-#endif
-#ifndef MIN
-#define MIN(m_a, m_b) (((m_a) < (m_b)) ? (m_a) : (m_b))
-#endif
-#ifndef MAX
-#define MAX(m_a, m_b) (((m_a) > (m_b)) ? (m_a) : (m_b))
-#endif
-#ifndef CLAMP
-#define CLAMP(m_a, m_min, m_max) (((m_a) < (m_min)) ? (m_min) : (((m_a) > (m_max)) ? m_max : m_a))
-#endif
+template <typename T> constexpr T SIGN(const T p_value) {
+	return p_value == 0 ? T(0) : p_value < 0 ? T(-1) : T(+1);
+}
+
+template <typename T, typename T2> constexpr auto MIN(const T p_a, const T2 p_b) {
+	return p_a < p_b ? p_a : p_b;
+}
+
+template <typename T, typename T2> constexpr auto MAX(const T p_a, const T2 p_b) {
+	return p_a > p_b ? p_a : p_b;
+}
+
+template <typename T, typename T2, typename T3> constexpr auto CLAMP(const T p_value, const T2 p_min, const T3 p_max) {
+	return p_value < p_min ? p_min : p_value > p_max ? p_max : p_value;
+}
+
+} // namespace godot
+
+using real_t = godot::real_t;

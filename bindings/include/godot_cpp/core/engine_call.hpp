@@ -17,8 +17,7 @@ Object *find_singleton(const char *p_name, Object *&r_cached);
 const StringName &make_static_name(const char *p_name);
 
 // Holds one argument in the form and at the address that a ptrcall wants.
-template <class T>
-struct Argument {
+template <class T> struct Argument {
 	using Stored = typename PtrToArg<T>::EncodeT;
 	static constexpr bool in_place = !PtrToArg<T>::is_number && !PtrToArg<T>::is_object;
 
@@ -40,58 +39,50 @@ struct Argument {
 	}
 };
 
-template <class T>
-struct Argument<BitField<T>> {
+template <class T> struct Argument<BitField<T>> {
 	int64_t value;
 	explicit Argument(BitField<T> p_value) : value(p_value) {}
 	GDExtensionConstTypePtr ptr() const { return &value; }
 };
 
-template <class T>
-struct Argument<Ref<T>> {
+template <class T> struct Argument<Ref<T>> {
 	GDExtensionObjectPtr value;
 	explicit Argument(const Ref<T> &p_value) : value(p_value.is_valid() ? p_value->_owner : nullptr) {}
 	GDExtensionConstTypePtr ptr() const { return &value; }
 };
 
-template <class T>
-struct Argument<TypedArray<T>> {
+template <class T> struct Argument<TypedArray<T>> {
 	const Array *value;
 	explicit Argument(const Array &p_value) : value(&p_value) {}
 	GDExtensionConstTypePtr ptr() const { return value; }
 };
 
-template <class K, class V>
-struct Argument<TypedDictionary<K, V>> {
+template <class K, class V> struct Argument<TypedDictionary<K, V>> {
 	const Dictionary *value;
 	explicit Argument(const Dictionary &p_value) : value(&p_value) {}
 	GDExtensionConstTypePtr ptr() const { return value; }
 };
 
 // Room for a returned value, and how to make the C++ value of it.
-template <class T>
-struct Result {
+template <class T> struct Result {
 	typename PtrToArg<T>::EncodeT stored{};
 	T take() { return PtrToArg<T>::convert(&stored); }
 };
 
 template <class T>
-	requires(!PtrToArg<T>::is_number && !PtrToArg<T>::is_object)
-struct Result<T> {
+requires(!PtrToArg<T>::is_number && !PtrToArg<T>::is_object) struct Result<T> {
 	T stored{};
 	T take() { return std::move(stored); }
 };
 
-template <class T>
-struct Result<Ref<T>> {
+template <class T> struct Result<Ref<T>> {
 	GDExtensionObjectPtr stored = nullptr;
 	// The engine already counted the reference that it hands over.
 	Ref<T> take() { return Ref<T>::_gde_internal_constructor(get_object_instance_binding(stored)); }
 };
 
-template <class R, class Invoke, class... Slots>
-R call_with(Invoke p_invoke, const Slots &...p_slots) {
-	GDExtensionConstTypePtr arguments[] = { p_slots.ptr()..., nullptr };
+template <class R, class Invoke, class... Slots> R call_with(Invoke p_invoke, const Slots &...p_slots) {
+	GDExtensionConstTypePtr arguments[] = {p_slots.ptr()..., nullptr};
 	if constexpr (std::is_void_v<R>) {
 		p_invoke(arguments, nullptr);
 	} else {
@@ -121,8 +112,7 @@ R call_builtin(GDExtensionPtrBuiltInMethod p_method, GDExtensionConstTypePtr p_b
 	return call_with<R>(invoke, Argument<A>(p_args)...);
 }
 
-template <class R, class... A>
-R call_utility(GDExtensionPtrUtilityFunction p_function, const A &...p_args) {
+template <class R, class... A> R call_utility(GDExtensionPtrUtilityFunction p_function, const A &...p_args) {
 	auto invoke = [&](const GDExtensionConstTypePtr *p_arguments, GDExtensionTypePtr r_result) {
 		if (likely(p_function)) {
 			p_function(r_result, p_arguments, sizeof...(A));
@@ -149,6 +139,6 @@ void construct(GDExtensionPtrConstructor p_constructor, GDExtensionUninitialized
 
 // A call with any number of arguments (`emit_signal`, `call_deferred`); the result is a Variant.
 Variant call_method_varargs(GDExtensionMethodBindPtr p_method, GDExtensionObjectPtr p_object,
-		const Variant *const *p_args, int64_t p_count);
+                            const Variant *const *p_args, int64_t p_count);
 
 } // namespace godot::internal

@@ -9,18 +9,15 @@ struct EnumInfo {
 	bool is_bitfield = false;
 };
 
-template <class T>
-inline constexpr EnumInfo enum_info = {};
+template <class T> inline constexpr EnumInfo enum_info = {};
 
 } // namespace godot::internal
 
 #define VARIANT_ENUM_CAST(m_enum)                                                                                      \
 	namespace godot {                                                                                                  \
-	template <>                                                                                                        \
-	inline constexpr internal::EnumInfo internal::enum_info<m_enum> = { #m_enum, false };                              \
+	template <> inline constexpr internal::EnumInfo internal::enum_info<m_enum> = {#m_enum, false};                    \
 	}
 #define VARIANT_BITFIELD_CAST(m_enum)                                                                                  \
 	namespace godot {                                                                                                  \
-	template <>                                                                                                        \
-	inline constexpr internal::EnumInfo internal::enum_info<m_enum> = { #m_enum, true };                               \
+	template <> inline constexpr internal::EnumInfo internal::enum_info<m_enum> = {#m_enum, true};                     \
 	}

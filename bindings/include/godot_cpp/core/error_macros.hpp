@@ -25,9 +25,9 @@ public:
 };
 
 void report(const char *p_function, const char *p_file, int p_line, const char *p_error,
-		const ReportText &p_message = "", Report p_kind = Report::Error);
+            const ReportText &p_message = "", Report p_kind = Report::Error);
 void report_index(const char *p_function, const char *p_file, int p_line, int64_t p_index, int64_t p_size,
-		const char *p_index_text, const char *p_size_text, const ReportText &p_message = "");
+                  const char *p_index_text, const char *p_size_text, const ReportText &p_message = "");
 
 } // namespace internal
 } // namespace godot
@@ -43,7 +43,7 @@ void report_index(const char *p_function, const char *p_file, int p_line, int64_
 #define GODOT_CPP_REPORT(...) ::godot::internal::report(FUNCTION_STR, __FILE__, __LINE__, __VA_ARGS__)
 #define GODOT_CPP_REPORT_INDEX(m_index, m_size, m_msg)                                                                 \
 	::godot::internal::report_index(FUNCTION_STR, __FILE__, __LINE__, int64_t(m_index), int64_t(m_size),               \
-			_STR(m_index), _STR(m_size), m_msg)
+	                                _STR(m_index), _STR(m_size), m_msg)
 
 // `else ((void)0)` lets a macro stand in an `if` without braces and demands the semicolon.
 #define GODOT_CPP_CHECK(m_failed, m_report, m_leave)                                                                   \
@@ -62,6 +62,7 @@ void report_index(const char *p_function, const char *p_file, int p_line, int64_
 #define GODOT_CPP_CHECK_COND(m_cond, m_msg, m_then, m_leave)                                                           \
 	GODOT_CPP_CHECK(m_cond, GODOT_CPP_REPORT("Condition \"" _STR(m_cond) "\" is true." m_then, m_msg), m_leave)
 
+// clang-format off: it would put a space into `return)`
 #define ERR_FAIL_INDEX(m_index, m_size) GODOT_CPP_CHECK_INDEX(m_index, m_size, "", return)
 #define ERR_FAIL_INDEX_MSG(m_index, m_size, m_msg) GODOT_CPP_CHECK_INDEX(m_index, m_size, m_msg, return)
 #define ERR_FAIL_INDEX_V(m_index, m_size, m_retval) GODOT_CPP_CHECK_INDEX(m_index, m_size, "", return m_retval)
@@ -87,7 +88,8 @@ void report_index(const char *p_function, const char *p_file, int p_line, int64_
 
 #define ERR_FAIL_COND(m_cond) GODOT_CPP_CHECK_COND(m_cond, "", "", return)
 #define ERR_FAIL_COND_MSG(m_cond, m_msg) GODOT_CPP_CHECK_COND(m_cond, m_msg, "", return)
-#define ERR_FAIL_COND_V(m_cond, m_retval) GODOT_CPP_CHECK_COND(m_cond, "", " Returning: " _STR(m_retval), return m_retval)
+#define ERR_FAIL_COND_V(m_cond, m_retval)                                                                              \
+	GODOT_CPP_CHECK_COND(m_cond, "", " Returning: " _STR(m_retval), return m_retval)
 #define ERR_FAIL_COND_V_MSG(m_cond, m_retval, m_msg)                                                                   \
 	GODOT_CPP_CHECK_COND(m_cond, m_msg, " Returning: " _STR(m_retval), return m_retval)
 #define ERR_CONTINUE(m_cond) GODOT_CPP_CHECK_COND(m_cond, "", " Continuing.", continue)
@@ -102,10 +104,12 @@ void report_index(const char *p_function, const char *p_file, int p_line, int64_
 #define ERR_FAIL_V(m_retval)                                                                                           \
 	GODOT_CPP_CHECK(true, GODOT_CPP_REPORT("Method/function failed. Returning: " _STR(m_retval)), return m_retval)
 #define ERR_FAIL_V_MSG(m_retval, m_msg)                                                                                \
-	GODOT_CPP_CHECK(true, GODOT_CPP_REPORT("Method/function failed. Returning: " _STR(m_retval), m_msg), return m_retval)
+	GODOT_CPP_CHECK(true, GODOT_CPP_REPORT("Method/function failed. Returning: " _STR(m_retval), m_msg),               \
+	                return m_retval)
 #define CRASH_NOW() GODOT_CPP_CHECK(true, GODOT_CPP_REPORT("FATAL: Method/function failed."), GENERATE_TRAP())
 #define CRASH_NOW_MSG(m_msg)                                                                                           \
 	GODOT_CPP_CHECK(true, GODOT_CPP_REPORT("FATAL: Method/function failed.", m_msg), GENERATE_TRAP())
+// clang-format on
 
 #define GODOT_CPP_ONCE(m_action)                                                                                       \
 	if (true) {                                                                                                        \

@@ -38,17 +38,15 @@ struct ClassDescription {
 void *allocate(size_t p_size, const ClassDescription *p_description);
 void announce_creation(Wrapped *p_object);
 
-template <class T>
-AllocationTag allocation_tag() {
+template <class T> AllocationTag allocation_tag() {
 	if constexpr (std::is_base_of_v<Wrapped, T>) {
-		return { T::_gde_description() };
+		return {T::_gde_description()};
 	} else {
 		return {};
 	}
 }
 
-template <class T>
-T *after_creation(T *p_object) {
+template <class T> T *after_creation(T *p_object) {
 	if constexpr (std::is_base_of_v<Wrapped, T>) {
 		announce_creation(p_object);
 	}
@@ -73,15 +71,14 @@ inline void operator delete(void *p_memory, const godot::internal::AllocationTag
 // `decltype` evaluates nothing: it only finds the class in `Foo`, `Foo()` or `Foo(1, 2)`.
 #define memnew(m_class)                                                                                                \
 	::godot::internal::after_creation(                                                                                 \
-			new (::godot::internal::allocation_tag<                                                                    \
-					std::remove_pointer_t<decltype(new (::godot::internal::AllocationTag{}) m_class)>>()) m_class)
+	        new (::godot::internal::allocation_tag<                                                                    \
+	                std::remove_pointer_t<decltype(new (::godot::internal::AllocationTag{}) m_class)>>()) m_class)
 
 #define memnew_placement(m_placement, m_class) (new (m_placement) m_class)
 
 namespace godot {
 
-template <class T>
-void memdelete(T *p_object) {
+template <class T> void memdelete(T *p_object) {
 	if constexpr (std::is_base_of_v<Wrapped, T>) {
 		// The engine object owns the wrapper and takes it along.
 		internal::engine.object_destroy(p_object->_owner);
@@ -94,12 +91,12 @@ void memdelete(T *p_object) {
 namespace internal {
 
 // The element count sits in the padding before the array, where `memdelete_arr` finds it.
-constexpr size_t array_header_size = alignof(std::max_align_t) < sizeof(uint64_t) ? sizeof(uint64_t) : alignof(std::max_align_t);
+constexpr size_t array_header_size =
+        alignof(std::max_align_t) < sizeof(uint64_t) ? sizeof(uint64_t) : alignof(std::max_align_t);
 
 } // namespace internal
 
-template <class T>
-T *memnew_arr_template(size_t p_count) {
+template <class T> T *memnew_arr_template(size_t p_count) {
 	if (p_count == 0) {
 		return nullptr;
 	}
@@ -112,8 +109,7 @@ T *memnew_arr_template(size_t p_count) {
 	return items;
 }
 
-template <class T>
-void memdelete_arr(T *p_items) {
+template <class T> void memdelete_arr(T *p_items) {
 	if (!p_items) {
 		return;
 	}

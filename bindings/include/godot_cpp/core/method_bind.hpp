@@ -25,9 +25,9 @@ protected:
 	std::vector<GDExtensionClassMethodArgumentMetadata> argument_metadata;
 
 	virtual void call_variants(void *p_instance, const Variant *const *p_args, Variant &r_ret,
-			GDExtensionCallError &r_error) const = 0;
+	                           GDExtensionCallError &r_error) const = 0;
 	virtual void call_pointers(void *p_instance, const GDExtensionConstTypePtr *p_args,
-			GDExtensionTypePtr r_ret) const = 0;
+	                           GDExtensionTypePtr r_ret) const = 0;
 
 public:
 	virtual ~MethodBind() = default;
@@ -40,18 +40,18 @@ public:
 
 	// Adds the defaults of missing arguments, or reports too many or too few.
 	void call(void *p_instance, const Variant *const *p_args, int64_t p_count, Variant &r_ret,
-			GDExtensionCallError &r_error) const;
+	          GDExtensionCallError &r_error) const;
 
-	static void bind_call(void *p_bind, GDExtensionClassInstancePtr p_instance, const GDExtensionConstVariantPtr *p_args,
-			GDExtensionInt p_count, GDExtensionVariantPtr r_ret, GDExtensionCallError *r_error);
-	static void bind_ptrcall(void *p_bind, GDExtensionClassInstancePtr p_instance, const GDExtensionConstTypePtr *p_args,
-			GDExtensionTypePtr r_ret);
+	static void bind_call(void *p_bind, GDExtensionClassInstancePtr p_instance,
+	                      const GDExtensionConstVariantPtr *p_args, GDExtensionInt p_count, GDExtensionVariantPtr r_ret,
+	                      GDExtensionCallError *r_error);
+	static void bind_ptrcall(void *p_bind, GDExtensionClassInstancePtr p_instance,
+	                         const GDExtensionConstTypePtr *p_args, GDExtensionTypePtr r_ret);
 };
 
 namespace internal {
 
-template <class M>
-class MethodBindOf : public MethodBind {
+template <class M> class MethodBindOf : public MethodBind {
 	using Traits = MethodTraits<M>;
 	M method;
 
@@ -63,19 +63,18 @@ class MethodBindOf : public MethodBind {
 		}
 	}
 
-	template <class... P>
-	void describe_arguments(std::tuple<P...> *) {
-		argument_infos = { GetTypeInfo<P>::get_class_info()... };
-		argument_metadata = { GetTypeInfo<P>::METADATA... };
+	template <class... P> void describe_arguments(std::tuple<P...> *) {
+		argument_infos = {GetTypeInfo<P>::get_class_info()...};
+		argument_metadata = {GetTypeInfo<P>::METADATA...};
 	}
 
 protected:
 	void call_variants(void *p_instance, const Variant *const *p_args, Variant &r_ret,
-			GDExtensionCallError &r_error) const override {
+	                   GDExtensionCallError &r_error) const override {
 		call_with_variants(method, instance_of(p_instance), p_args, r_ret, r_error);
 	}
 	void call_pointers(void *p_instance, const GDExtensionConstTypePtr *p_args,
-			GDExtensionTypePtr r_ret) const override {
+	                   GDExtensionTypePtr r_ret) const override {
 		call_with_pointers(method, instance_of(p_instance), p_args, r_ret);
 	}
 

@@ -36,16 +36,16 @@ struct MethodInfo {
 	MethodInfo() = default;
 	MethodInfo(StringName p_name) : name(p_name) {}
 	template <typename... Args>
-	MethodInfo(StringName p_name, const Args &...p_args) : name(p_name), arguments({ PropertyInfo(p_args)... }) {}
+	MethodInfo(StringName p_name, const Args &...p_args) : name(p_name), arguments({PropertyInfo(p_args)...}) {}
 	MethodInfo(Variant::Type p_return, StringName p_name) : name(p_name) { return_val.type = p_return; }
 	template <typename... Args>
-	MethodInfo(Variant::Type p_return, StringName p_name, const Args &...p_args) :
-			name(p_name), arguments({ PropertyInfo(p_args)... }) {
+	MethodInfo(Variant::Type p_return, StringName p_name, const Args &...p_args)
+	    : name(p_name), arguments({PropertyInfo(p_args)...}) {
 		return_val.type = p_return;
 	}
 	template <typename... Args>
-	MethodInfo(const PropertyInfo &p_return, StringName p_name, const Args &...p_args) :
-			name(p_name), return_val(p_return), arguments({ PropertyInfo(p_args)... }) {}
+	MethodInfo(const PropertyInfo &p_return, StringName p_name, const Args &...p_args)
+	    : name(p_name), return_val(p_return), arguments({PropertyInfo(p_args)...}) {}
 };
 
 class ObjectDB {
@@ -57,13 +57,11 @@ public:
 };
 
 // A wrapper is of the nearest class that the sources include, so C++ knows what the object is.
-template <typename T>
-T *Object::cast_to(Object *p_object) {
+template <typename T> T *Object::cast_to(Object *p_object) {
 	return dynamic_cast<T *>(p_object);
 }
 
-template <typename T>
-const T *Object::cast_to(const Object *p_object) {
+template <typename T> const T *Object::cast_to(const Object *p_object) {
 	return dynamic_cast<const T *>(p_object);
 }
 

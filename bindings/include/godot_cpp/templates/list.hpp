@@ -7,8 +7,7 @@
 namespace godot {
 
 // The part of the engine's doubly linked list that signatures need (`_get_property_list`).
-template <class T>
-class List {
+template <class T> class List {
 	std::list<T> items;
 
 public:

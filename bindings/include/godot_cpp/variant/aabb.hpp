@@ -28,28 +28,28 @@ struct AABB {
 	real_t get_shortest_axis_size() const { return size[size.min_axis_index()]; }
 	// Bit 2, 1, 0 of the index choose the end in x, y, z.
 	Vector3 get_endpoint(int p_index) const {
-		return { position.x + (p_index & 4 ? size.x : 0), position.y + (p_index & 2 ? size.y : 0),
-			position.z + (p_index & 1 ? size.z : 0) };
+		return {position.x + (p_index & 4 ? size.x : 0), position.y + (p_index & 2 ? size.y : 0),
+		        position.z + (p_index & 1 ? size.z : 0)};
 	}
 
 	bool has_point(const Vector3 &p_point) const {
 		const Vector3 end = get_end();
 		return p_point.x >= position.x && p_point.y >= position.y && p_point.z >= position.z && p_point.x <= end.x &&
-				p_point.y <= end.y && p_point.z <= end.z;
+		       p_point.y <= end.y && p_point.z <= end.z;
 	}
 	bool encloses(const AABB &p_box) const { return has_point(p_box.position) && has_point(p_box.get_end()); }
 	bool intersects(const AABB &p_box) const {
 		const Vector3 end = get_end();
 		const Vector3 other = p_box.get_end();
 		return position.x < other.x && p_box.position.x < end.x && position.y < other.y && p_box.position.y < end.y &&
-				position.z < other.z && p_box.position.z < end.z;
+		       position.z < other.z && p_box.position.z < end.z;
 	}
 	AABB intersection(const AABB &p_box) const {
 		if (!intersects(p_box)) {
 			return AABB();
 		}
 		const Vector3 start = position.max(p_box.position);
-		return { start, get_end().min(p_box.get_end()) - start };
+		return {start, get_end().min(p_box.get_end()) - start};
 	}
 	AABB merge(const AABB &p_box) const {
 		AABB result = *this;
@@ -72,7 +72,7 @@ struct AABB {
 		result.grow_by(p_by);
 		return result;
 	}
-	AABB abs() const { return { position + size.min(Vector3()), size.abs() }; }
+	AABB abs() const { return {position + size.min(Vector3()), size.abs()}; }
 
 	bool operator==(const AABB &p_box) const { return position == p_box.position && size == p_box.size; }
 	bool operator!=(const AABB &p_box) const { return !(*this == p_box); }

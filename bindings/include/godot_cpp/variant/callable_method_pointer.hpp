@@ -33,8 +33,7 @@ public:
 	ObjectID get_object() const override { return ObjectID(object_id); }
 };
 
-template <class M>
-class MethodCallableOf : public MethodCallable {
+template <class M> class MethodCallableOf : public MethodCallable {
 	using Traits = MethodTraits<M>;
 	static constexpr size_t parameter_count = std::tuple_size_v<typename Traits::Arguments>;
 	struct Target {
@@ -58,10 +57,10 @@ public:
 		return int(parameter_count);
 	}
 	void call(const Variant **p_arguments, int p_argcount, Variant &r_return_value,
-			GDExtensionCallError &r_call_error) const override {
+	          GDExtensionCallError &r_call_error) const override {
 		if (p_argcount != int(parameter_count)) {
 			r_call_error.error = p_argcount < int(parameter_count) ? GDEXTENSION_CALL_ERROR_TOO_FEW_ARGUMENTS
-																   : GDEXTENSION_CALL_ERROR_TOO_MANY_ARGUMENTS;
+			                                                       : GDEXTENSION_CALL_ERROR_TOO_MANY_ARGUMENTS;
 			r_call_error.expected = int32_t(parameter_count);
 			return;
 		}
@@ -77,10 +76,10 @@ Callable create_custom_callable_function_pointer(C *p_instance, R (D::*p_method)
 }
 template <class C, class D, class R, class... P>
 Callable create_custom_callable_function_pointer(C *p_instance, R (D::*p_method)(P...) const) {
-	return Callable(memnew(internal::MethodCallableOf<R (D::*)(P...) const>(const_cast<D *>(static_cast<const D *>(p_instance)), p_method)));
+	return Callable(memnew(internal::MethodCallableOf<R (D::*)(P...) const>(
+	        const_cast<D *>(static_cast<const D *>(p_instance)), p_method)));
 }
-template <class R, class... P>
-Callable create_custom_callable_static_function_pointer(R (*p_method)(P...)) {
+template <class R, class... P> Callable create_custom_callable_static_function_pointer(R (*p_method)(P...)) {
 	return Callable(memnew(internal::MethodCallableOf<R (*)(P...)>(nullptr, p_method)));
 }
 

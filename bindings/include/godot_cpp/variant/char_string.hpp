@@ -9,8 +9,7 @@ namespace godot {
 class String;
 
 // Text in a C encoding, made by String::utf8(), ascii() and the like. `size()` counts the terminating zero.
-template <typename T>
-class CharStringT {
+template <typename T> class CharStringT {
 	friend class String;
 	std::basic_string<T> text;
 	bool is_set = false;
@@ -28,7 +27,6 @@ public:
 	T operator[](int64_t p_index) const { return text.c_str()[p_index]; }
 
 	bool operator<(const CharStringT &p_other) const { return text < p_other.text; }
-	bool operator==(const CharStringT &p_other) const { return text == p_other.text; }
 };
 
 typedef CharStringT<char> CharString;

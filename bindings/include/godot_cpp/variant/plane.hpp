@@ -17,8 +17,8 @@ struct Plane {
 	constexpr Plane(const Vector3 &p_normal, real_t p_d = 0) : normal(p_normal), d(p_d) {}
 	constexpr Plane(const Vector3 &p_normal, const Vector3 &p_point) : normal(p_normal), d(p_normal.dot(p_point)) {}
 	// Clockwise points, as the engine winds its triangles.
-	Plane(const Vector3 &p_a, const Vector3 &p_b, const Vector3 &p_c) :
-			normal((p_a - p_c).cross(p_a - p_b).normalized()), d(normal.dot(p_a)) {}
+	Plane(const Vector3 &p_a, const Vector3 &p_b, const Vector3 &p_c)
+	    : normal((p_a - p_c).cross(p_a - p_b).normalized()), d(normal.dot(p_a)) {}
 
 	Vector3 get_center() const { return normal * d; }
 	Vector3 project(const Vector3 &p_point) const { return p_point - normal * distance_to(p_point); }
@@ -37,7 +37,7 @@ struct Plane {
 		return result;
 	}
 
-	Plane operator-() const { return { -normal, -d }; }
+	Plane operator-() const { return {-normal, -d}; }
 	bool operator==(const Plane &p_plane) const { return normal == p_plane.normal && d == p_plane.d; }
 	bool operator!=(const Plane &p_plane) const { return !(*this == p_plane); }
 	bool is_equal_approx(const Plane &p_plane) const {

@@ -16,7 +16,7 @@ struct Quaternion {
 		const real_t length = p_axis.length();
 		if (length > 0) {
 			const Vector3 v = p_axis * (Math::sin(p_angle / 2) / length);
-			*this = { v.x, v.y, v.z, Math::cos(p_angle / 2) };
+			*this = {v.x, v.y, v.z, Math::cos(p_angle / 2)};
 		}
 	}
 	// The shortest rotation from one direction to another; both normalized and not opposite.
@@ -34,7 +34,7 @@ struct Quaternion {
 	void normalize() { *this = *this / length(); }
 	Quaternion normalized() const { return *this / length(); }
 	bool is_normalized() const { return Math::is_equal_approx(length_squared(), 1, UNIT_EPSILON); }
-	Quaternion inverse() const { return { -x, -y, -z, w }; }
+	Quaternion inverse() const { return {-x, -y, -z, w}; }
 	Vector3 get_axis() const {
 		const real_t scale = Math::sqrt(1 - w * w);
 		return scale == 0 ? Vector3(x, y, z) : Vector3(x, y, z) / scale;
@@ -63,23 +63,25 @@ struct Quaternion {
 	}
 
 	Quaternion operator*(const Quaternion &p_q) const {
-		return { w * p_q.x + x * p_q.w + y * p_q.z - z * p_q.y, w * p_q.y + y * p_q.w + z * p_q.x - x * p_q.z,
-			w * p_q.z + z * p_q.w + x * p_q.y - y * p_q.x, w * p_q.w - x * p_q.x - y * p_q.y - z * p_q.z };
+		return {w * p_q.x + x * p_q.w + y * p_q.z - z * p_q.y, w * p_q.y + y * p_q.w + z * p_q.x - x * p_q.z,
+		        w * p_q.z + z * p_q.w + x * p_q.y - y * p_q.x, w * p_q.w - x * p_q.x - y * p_q.y - z * p_q.z};
 	}
 	void operator*=(const Quaternion &p_q) { *this = *this * p_q; }
 	Vector3 operator*(const Vector3 &p_v) const { return xform(p_v); }
-	Quaternion operator+(const Quaternion &p_q) const { return { x + p_q.x, y + p_q.y, z + p_q.z, w + p_q.w }; }
-	Quaternion operator-(const Quaternion &p_q) const { return { x - p_q.x, y - p_q.y, z - p_q.z, w - p_q.w }; }
-	Quaternion operator-() const { return { -x, -y, -z, -w }; }
-	Quaternion operator*(real_t p_s) const { return { x * p_s, y * p_s, z * p_s, w * p_s }; }
-	Quaternion operator/(real_t p_s) const { return { x / p_s, y / p_s, z / p_s, w / p_s }; }
+	Quaternion operator+(const Quaternion &p_q) const { return {x + p_q.x, y + p_q.y, z + p_q.z, w + p_q.w}; }
+	Quaternion operator-(const Quaternion &p_q) const { return {x - p_q.x, y - p_q.y, z - p_q.z, w - p_q.w}; }
+	Quaternion operator-() const { return {-x, -y, -z, -w}; }
+	Quaternion operator*(real_t p_s) const { return {x * p_s, y * p_s, z * p_s, w * p_s}; }
+	Quaternion operator/(real_t p_s) const { return {x / p_s, y / p_s, z / p_s, w / p_s}; }
 	bool operator==(const Quaternion &p_q) const { return x == p_q.x && y == p_q.y && z == p_q.z && w == p_q.w; }
 	bool operator!=(const Quaternion &p_q) const { return !(*this == p_q); }
 	bool is_equal_approx(const Quaternion &p_q) const {
 		return Math::is_equal_approx(x, p_q.x) && Math::is_equal_approx(y, p_q.y) && Math::is_equal_approx(z, p_q.z) &&
-				Math::is_equal_approx(w, p_q.w);
+		       Math::is_equal_approx(w, p_q.w);
 	}
-	bool is_finite() const { return Math::is_finite(x) && Math::is_finite(y) && Math::is_finite(z) && Math::is_finite(w); }
+	bool is_finite() const {
+		return Math::is_finite(x) && Math::is_finite(y) && Math::is_finite(z) && Math::is_finite(w);
+	}
 
 	operator String() const;
 };

@@ -13,8 +13,8 @@ struct Rect2 {
 
 	constexpr Rect2() = default;
 	constexpr Rect2(const Vector2 &p_position, const Vector2 &p_size) : position(p_position), size(p_size) {}
-	constexpr Rect2(real_t p_x, real_t p_y, real_t p_width, real_t p_height) :
-			position(p_x, p_y), size(p_width, p_height) {}
+	constexpr Rect2(real_t p_x, real_t p_y, real_t p_width, real_t p_height)
+	    : position(p_x, p_y), size(p_width, p_height) {}
 
 	const Vector2 &get_position() const { return position; }
 	void set_position(const Vector2 &p_position) { position = p_position; }
@@ -34,13 +34,15 @@ struct Rect2 {
 	bool encloses(const Rect2 &p_rect) const {
 		const Vector2 end = get_end();
 		const Vector2 other = p_rect.get_end();
-		return p_rect.position.x >= position.x && p_rect.position.y >= position.y && other.x <= end.x && other.y <= end.y;
+		return p_rect.position.x >= position.x && p_rect.position.y >= position.y && other.x <= end.x &&
+		       other.y <= end.y;
 	}
 	bool intersects(const Rect2 &p_rect, bool p_include_borders = false) const {
 		const Vector2 end = get_end();
 		const Vector2 other = p_rect.get_end();
 		if (p_include_borders) {
-			return position.x <= other.x && p_rect.position.x <= end.x && position.y <= other.y && p_rect.position.y <= end.y;
+			return position.x <= other.x && p_rect.position.x <= end.x && position.y <= other.y &&
+			       p_rect.position.y <= end.y;
 		}
 		return position.x < other.x && p_rect.position.x < end.x && position.y < other.y && p_rect.position.y < end.y;
 	}
@@ -49,11 +51,11 @@ struct Rect2 {
 			return Rect2();
 		}
 		const Vector2 start = position.max(p_rect.position);
-		return { start, get_end().min(p_rect.get_end()) - start };
+		return {start, get_end().min(p_rect.get_end()) - start};
 	}
 	Rect2 merge(const Rect2 &p_rect) const {
 		const Vector2 start = position.min(p_rect.position);
-		return { start, get_end().max(p_rect.get_end()) - start };
+		return {start, get_end().max(p_rect.get_end()) - start};
 	}
 	void expand_to(const Vector2 &p_point) {
 		const Vector2 end = get_end().max(p_point);
@@ -65,10 +67,8 @@ struct Rect2 {
 		result.expand_to(p_point);
 		return result;
 	}
-	Rect2 grow(real_t p_by) const {
-		return { position - Vector2(p_by, p_by), size + Vector2(2 * p_by, 2 * p_by) };
-	}
-	Rect2 abs() const { return { position + size.min(Vector2()), size.abs() }; }
+	Rect2 grow(real_t p_by) const { return {position - Vector2(p_by, p_by), size + Vector2(2 * p_by, 2 * p_by)}; }
+	Rect2 abs() const { return {position + size.min(Vector2()), size.abs()}; }
 
 	bool operator==(const Rect2 &p_rect) const { return position == p_rect.position && size == p_rect.size; }
 	bool operator!=(const Rect2 &p_rect) const { return !(*this == p_rect); }

@@ -13,8 +13,8 @@ struct Rect2i {
 
 	constexpr Rect2i() = default;
 	constexpr Rect2i(const Vector2i &p_position, const Vector2i &p_size) : position(p_position), size(p_size) {}
-	constexpr Rect2i(int32_t p_x, int32_t p_y, int32_t p_width, int32_t p_height) :
-			position(p_x, p_y), size(p_width, p_height) {}
+	constexpr Rect2i(int32_t p_x, int32_t p_y, int32_t p_width, int32_t p_height)
+	    : position(p_x, p_y), size(p_width, p_height) {}
 
 	const Vector2i &get_position() const { return position; }
 	void set_position(const Vector2i &p_position) { position = p_position; }
@@ -34,7 +34,8 @@ struct Rect2i {
 	bool encloses(const Rect2i &p_rect) const {
 		const Vector2i end = get_end();
 		const Vector2i other = p_rect.get_end();
-		return p_rect.position.x >= position.x && p_rect.position.y >= position.y && other.x <= end.x && other.y <= end.y;
+		return p_rect.position.x >= position.x && p_rect.position.y >= position.y && other.x <= end.x &&
+		       other.y <= end.y;
 	}
 	bool intersects(const Rect2i &p_rect) const {
 		const Vector2i end = get_end();
@@ -46,11 +47,11 @@ struct Rect2i {
 			return Rect2i();
 		}
 		const Vector2i start = position.max(p_rect.position);
-		return { start, get_end().min(p_rect.get_end()) - start };
+		return {start, get_end().min(p_rect.get_end()) - start};
 	}
 	Rect2i merge(const Rect2i &p_rect) const {
 		const Vector2i start = position.min(p_rect.position);
-		return { start, get_end().max(p_rect.get_end()) - start };
+		return {start, get_end().max(p_rect.get_end()) - start};
 	}
 	void expand_to(const Vector2i &p_point) {
 		const Vector2i end = get_end().max(p_point);
@@ -62,10 +63,8 @@ struct Rect2i {
 		result.expand_to(p_point);
 		return result;
 	}
-	Rect2i grow(int32_t p_by) const {
-		return { position - Vector2i(p_by, p_by), size + Vector2i(2 * p_by, 2 * p_by) };
-	}
-	Rect2i abs() const { return { position + size.min(Vector2i()), size.abs() }; }
+	Rect2i grow(int32_t p_by) const { return {position - Vector2i(p_by, p_by), size + Vector2i(2 * p_by, 2 * p_by)}; }
+	Rect2i abs() const { return {position + size.min(Vector2i()), size.abs()}; }
 
 	bool operator==(const Rect2i &p_rect) const { return position == p_rect.position && size == p_rect.size; }
 	bool operator!=(const Rect2i &p_rect) const { return !(*this == p_rect); }

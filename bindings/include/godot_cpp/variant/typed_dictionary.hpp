@@ -5,11 +5,10 @@
 namespace godot {
 
 // A Dictionary that admits one key type and one value type; `Variant` stands for any.
-template <typename K, typename V>
-class TypedDictionary : public Dictionary {
+template <typename K, typename V> class TypedDictionary : public Dictionary {
 	void set_element_types() {
 		set_typed(internal::element_type<K>, internal::element_class<K>(), Variant(), internal::element_type<V>,
-				internal::element_class<V>(), Variant());
+		          internal::element_class<V>(), Variant());
 	}
 
 public:

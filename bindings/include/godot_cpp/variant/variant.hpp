@@ -9,13 +9,13 @@
 #include <gdextension_interface.h>
 
 #include <array>
-#include <functional>
 
 namespace godot {
 
 class Object;
 
-// m_convert(C++ type, Variant::Type) for each built-in type that the engine itself converts.
+// clang-format off
+// m_do(C++ type, Variant::Type) for each built-in type that the engine itself converts.
 #define GODOT_CPP_VARIANT_TYPES(m_do)                                                                                  \
 	m_do(String, STRING) m_do(Vector2, VECTOR2) m_do(Vector2i, VECTOR2I) m_do(Rect2, RECT2) m_do(Rect2i, RECT2I)       \
 	m_do(Vector3, VECTOR3) m_do(Vector3i, VECTOR3I) m_do(Transform2D, TRANSFORM2D) m_do(Vector4, VECTOR4)              \
@@ -28,11 +28,13 @@ class Object;
 	m_do(PackedStringArray, PACKED_STRING_ARRAY) m_do(PackedVector2Array, PACKED_VECTOR2_ARRAY)                        \
 	m_do(PackedVector3Array, PACKED_VECTOR3_ARRAY) m_do(PackedColorArray, PACKED_COLOR_ARRAY)                          \
 	m_do(PackedVector4Array, PACKED_VECTOR4_ARRAY)
+// clang-format on
 
 class Variant {
-	alignas(8) uint8_t opaque[GODOT_CPP_VARIANT_SIZE]{ 0 };
+	alignas(8) uint8_t opaque[GODOT_CPP_VARIANT_SIZE]{0};
 
 public:
+	// clang-format off
 	enum Type {
 		NIL, BOOL, INT, FLOAT, STRING,
 		VECTOR2, VECTOR2I, RECT2, RECT2I, VECTOR3, VECTOR3I, TRANSFORM2D, VECTOR4, VECTOR4I, PLANE, QUATERNION, AABB,
@@ -49,6 +51,7 @@ public:
 		OP_SHIFT_LEFT, OP_SHIFT_RIGHT, OP_BIT_AND, OP_BIT_OR, OP_BIT_XOR, OP_BIT_NEGATE,
 		OP_AND, OP_OR, OP_XOR, OP_NOT, OP_IN, OP_MAX
 	};
+	// clang-format on
 
 	GDExtensionVariantPtr _native_ptr() const { return const_cast<uint8_t *>(opaque); }
 
@@ -78,21 +81,39 @@ public:
 	GODOT_CPP_VARIANT_TYPES(GODOT_CPP_FROM)
 #undef GODOT_CPP_FROM
 	template <class T>
-		requires std::is_enum_v<T>
+	requires std::is_enum_v<T>
 	explicit Variant(T p_value) : Variant(int64_t(p_value)) {}
 	~Variant();
 
-	operator bool() const { return booleanize(); }
+	operator bool() const {
+		return booleanize();
+	}
 	operator int64_t() const;
-	operator int32_t() const { return int32_t(operator int64_t()); }
-	operator int16_t() const { return int16_t(operator int64_t()); }
-	operator int8_t() const { return int8_t(operator int64_t()); }
-	operator uint64_t() const { return uint64_t(operator int64_t()); }
-	operator uint32_t() const { return uint32_t(operator int64_t()); }
-	operator uint16_t() const { return uint16_t(operator int64_t()); }
-	operator uint8_t() const { return uint8_t(operator int64_t()); }
+	operator int32_t() const {
+		return int32_t(operator int64_t());
+	}
+	operator int16_t() const {
+		return int16_t(operator int64_t());
+	}
+	operator int8_t() const {
+		return int8_t(operator int64_t());
+	}
+	operator uint64_t() const {
+		return uint64_t(operator int64_t());
+	}
+	operator uint32_t() const {
+		return uint32_t(operator int64_t());
+	}
+	operator uint16_t() const {
+		return uint16_t(operator int64_t());
+	}
+	operator uint8_t() const {
+		return uint8_t(operator int64_t());
+	}
 	operator double() const;
-	operator float() const { return float(operator double()); }
+	operator float() const {
+		return float(operator double());
+	}
 	operator ObjectID() const;
 	operator Object *() const;
 #define GODOT_CPP_TO(m_type, m_variant) operator m_type() const;
@@ -105,14 +126,15 @@ public:
 	Variant &operator=(const Variant &p_other);
 	Variant &operator=(Variant &&p_other);
 	bool operator==(const Variant &p_other) const;
-	bool operator!=(const Variant &p_other) const { return !(*this == p_other); }
+	bool operator!=(const Variant &p_other) const {
+		return !(*this == p_other);
+	}
 	bool operator<(const Variant &p_other) const;
 
 	void callp(const StringName &p_method, const Variant **p_args, int p_argcount, Variant &r_ret,
-			GDExtensionCallError &r_error);
-	template <typename... Args>
-	Variant call(const StringName &p_method, Args... p_args) {
-		std::array<Variant, sizeof...(Args)> args = { Variant(p_args)... };
+	           GDExtensionCallError &r_error);
+	template <typename... Args> Variant call(const StringName &p_method, Args... p_args) {
+		std::array<Variant, sizeof...(Args)> args = {Variant(p_args)...};
 		std::array<const Variant *, sizeof...(Args)> pointers;
 		for (size_t i = 0; i < args.size(); i++) {
 			pointers[i] = &args[i];
@@ -161,8 +183,7 @@ void init_variant();
 
 } // namespace internal
 
-template <typename... Args>
-String vformat(const String &p_text, const Args... p_args) {
+template <typename... Args> String vformat(const String &p_text, const Args... p_args) {
 	Array args;
 	(args.push_back(Variant(p_args)), ...);
 	return p_text % args;
@@ -181,19 +202,17 @@ inline Array::Array(std::initializer_list<Variant> p_init) : Array() {
 		push_back(element);
 	}
 }
-inline const Variant *Array::end() const { return ptr() + size(); }
-inline Variant *Array::end() { return ptrw() + size(); }
+inline const Variant *Array::end() const {
+	return ptr() + size();
+}
+inline Variant *Array::end() {
+	return ptrw() + size();
+}
 
-template <typename... Args>
-Array Array::make(const Args &...p_args) {
-	return Array{ Variant(p_args)... };
+template <typename... Args> Array Array::make(const Args &...p_args) {
+	return Array{Variant(p_args)...};
 }
 
 } // namespace godot
-
-template <>
-struct std::hash<godot::StringName> {
-	size_t operator()(const godot::StringName &p_name) const noexcept { return size_t(p_name.hash()); }
-};
 
 #include <godot_cpp/variant/builtin_vararg_methods.gen.hpp>

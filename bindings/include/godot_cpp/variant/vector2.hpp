@@ -19,13 +19,13 @@ struct Vector2 {
 	const real_t &operator[](int p_axis) const { return (&x)[p_axis]; }
 	real_t &operator[](int p_axis) { return (&x)[p_axis]; }
 
-	constexpr Vector2 operator+(const Vector2 &p_v) const { return { x + p_v.x, y + p_v.y }; }
-	constexpr Vector2 operator-(const Vector2 &p_v) const { return { x - p_v.x, y - p_v.y }; }
-	constexpr Vector2 operator*(const Vector2 &p_v) const { return { x * p_v.x, y * p_v.y }; }
-	constexpr Vector2 operator/(const Vector2 &p_v) const { return { x / p_v.x, y / p_v.y }; }
-	constexpr Vector2 operator*(real_t p_s) const { return { x * p_s, y * p_s }; }
-	constexpr Vector2 operator/(real_t p_s) const { return { x / p_s, y / p_s }; }
-	constexpr Vector2 operator-() const { return { -x, -y }; }
+	constexpr Vector2 operator+(const Vector2 &p_v) const { return {x + p_v.x, y + p_v.y}; }
+	constexpr Vector2 operator-(const Vector2 &p_v) const { return {x - p_v.x, y - p_v.y}; }
+	constexpr Vector2 operator*(const Vector2 &p_v) const { return {x * p_v.x, y * p_v.y}; }
+	constexpr Vector2 operator/(const Vector2 &p_v) const { return {x / p_v.x, y / p_v.y}; }
+	constexpr Vector2 operator*(real_t p_s) const { return {x * p_s, y * p_s}; }
+	constexpr Vector2 operator/(real_t p_s) const { return {x / p_s, y / p_s}; }
+	constexpr Vector2 operator-() const { return {-x, -y}; }
 	constexpr Vector2 &operator+=(const Vector2 &p_v) { return *this = *this + p_v; }
 	constexpr Vector2 &operator-=(const Vector2 &p_v) { return *this = *this - p_v; }
 	constexpr Vector2 &operator*=(const Vector2 &p_v) { return *this = *this * p_v; }
@@ -70,30 +70,34 @@ struct Vector2 {
 	constexpr Vector2 reflect(const Vector2 &p_normal) const { return p_normal * (2 * dot(p_normal)) - *this; }
 	constexpr Vector2 bounce(const Vector2 &p_normal) const { return -reflect(p_normal); }
 	constexpr Vector2 project(const Vector2 &p_to) const { return p_to * (dot(p_to) / p_to.length_squared()); }
-	Vector2 floor() const { return { Math::floor(x), Math::floor(y) }; }
-	Vector2 ceil() const { return { Math::ceil(x), Math::ceil(y) }; }
-	Vector2 round() const { return { Math::round(x), Math::round(y) }; }
-	bool is_equal_approx(const Vector2 &p_v) const { return Math::is_equal_approx(x, p_v.x) && Math::is_equal_approx(y, p_v.y); }
+	Vector2 floor() const { return {Math::floor(x), Math::floor(y)}; }
+	Vector2 ceil() const { return {Math::ceil(x), Math::ceil(y)}; }
+	Vector2 round() const { return {Math::round(x), Math::round(y)}; }
+	bool is_equal_approx(const Vector2 &p_v) const {
+		return Math::is_equal_approx(x, p_v.x) && Math::is_equal_approx(y, p_v.y);
+	}
 	bool is_zero_approx() const { return Math::is_zero_approx(x) && Math::is_zero_approx(y); }
 	bool is_finite() const { return Math::is_finite(x) && Math::is_finite(y); }
-	Vector2 abs() const { return { Math::abs(x), Math::abs(y) }; }
-	constexpr Vector2 sign() const { return { real_t(SIGN(x)), real_t(SIGN(y)) }; }
-	constexpr Vector2 min(const Vector2 &p_v) const { return { MIN(x, p_v.x), MIN(y, p_v.y) }; }
-	constexpr Vector2 max(const Vector2 &p_v) const { return { MAX(x, p_v.x), MAX(y, p_v.y) }; }
+	Vector2 abs() const { return {Math::abs(x), Math::abs(y)}; }
+	constexpr Vector2 sign() const { return {real_t(SIGN(x)), real_t(SIGN(y))}; }
+	constexpr Vector2 min(const Vector2 &p_v) const { return {MIN(x, p_v.x), MIN(y, p_v.y)}; }
+	constexpr Vector2 max(const Vector2 &p_v) const { return {MAX(x, p_v.x), MAX(y, p_v.y)}; }
 	constexpr Vector2 clamp(const Vector2 &p_min, const Vector2 &p_max) const { return max(p_min).min(p_max); }
-	Vector2 snapped(const Vector2 &p_step) const { return { real_t(Math::snapped(x, p_step.x)), real_t(Math::snapped(y, p_step.y)) }; }
+	Vector2 snapped(const Vector2 &p_step) const {
+		return {real_t(Math::snapped(x, p_step.x)), real_t(Math::snapped(y, p_step.y))};
+	}
 	constexpr real_t cross(const Vector2 &p_v) const { return x * p_v.y - y * p_v.x; }
 	constexpr real_t aspect() const { return x / y; }
-	constexpr Vector2 orthogonal() const { return { y, -x }; }
+	constexpr Vector2 orthogonal() const { return {y, -x}; }
 	real_t angle() const { return Math::atan2(y, x); }
 	real_t angle_to(const Vector2 &p_v) const { return Math::atan2(cross(p_v), dot(p_v)); }
 	real_t angle_to_point(const Vector2 &p_v) const { return (p_v - *this).angle(); }
 	Vector2 rotated(real_t p_angle) const {
 		const real_t sine = Math::sin(p_angle);
 		const real_t cosine = Math::cos(p_angle);
-		return { x * cosine - y * sine, x * sine + y * cosine };
+		return {x * cosine - y * sine, x * sine + y * cosine};
 	}
-	static Vector2 from_angle(real_t p_angle) { return { Math::cos(p_angle), Math::sin(p_angle) }; }
+	static Vector2 from_angle(real_t p_angle) { return {Math::cos(p_angle), Math::sin(p_angle)}; }
 	constexpr Axis min_axis_index() const { return x < y ? AXIS_X : AXIS_Y; }
 	constexpr Axis max_axis_index() const { return x < y ? AXIS_Y : AXIS_X; }
 

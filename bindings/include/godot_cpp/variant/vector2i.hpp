@@ -19,15 +19,15 @@ struct Vector2i {
 	const int32_t &operator[](int p_axis) const { return (&x)[p_axis]; }
 	int32_t &operator[](int p_axis) { return (&x)[p_axis]; }
 
-	constexpr Vector2i operator+(const Vector2i &p_v) const { return { x + p_v.x, y + p_v.y }; }
-	constexpr Vector2i operator-(const Vector2i &p_v) const { return { x - p_v.x, y - p_v.y }; }
-	constexpr Vector2i operator*(const Vector2i &p_v) const { return { x * p_v.x, y * p_v.y }; }
-	constexpr Vector2i operator/(const Vector2i &p_v) const { return { x / p_v.x, y / p_v.y }; }
-	constexpr Vector2i operator%(const Vector2i &p_v) const { return { x % p_v.x, y % p_v.y }; }
-	constexpr Vector2i operator*(int32_t p_s) const { return { x * p_s, y * p_s }; }
-	constexpr Vector2i operator/(int32_t p_s) const { return { x / p_s, y / p_s }; }
-	constexpr Vector2i operator%(int32_t p_s) const { return { x % p_s, y % p_s }; }
-	constexpr Vector2i operator-() const { return { -x, -y }; }
+	constexpr Vector2i operator+(const Vector2i &p_v) const { return {x + p_v.x, y + p_v.y}; }
+	constexpr Vector2i operator-(const Vector2i &p_v) const { return {x - p_v.x, y - p_v.y}; }
+	constexpr Vector2i operator*(const Vector2i &p_v) const { return {x * p_v.x, y * p_v.y}; }
+	constexpr Vector2i operator/(const Vector2i &p_v) const { return {x / p_v.x, y / p_v.y}; }
+	constexpr Vector2i operator%(const Vector2i &p_v) const { return {x % p_v.x, y % p_v.y}; }
+	constexpr Vector2i operator*(int32_t p_s) const { return {x * p_s, y * p_s}; }
+	constexpr Vector2i operator/(int32_t p_s) const { return {x / p_s, y / p_s}; }
+	constexpr Vector2i operator%(int32_t p_s) const { return {x % p_s, y % p_s}; }
+	constexpr Vector2i operator-() const { return {-x, -y}; }
 	constexpr Vector2i &operator+=(const Vector2i &p_v) { return *this = *this + p_v; }
 	constexpr Vector2i &operator-=(const Vector2i &p_v) { return *this = *this - p_v; }
 	constexpr Vector2i &operator*=(const Vector2i &p_v) { return *this = *this * p_v; }
@@ -48,10 +48,10 @@ struct Vector2i {
 	double length() const { return Math::sqrt(double(length_squared())); }
 	constexpr int64_t distance_squared_to(const Vector2i &p_to) const { return (p_to - *this).length_squared(); }
 	double distance_to(const Vector2i &p_to) const { return (p_to - *this).length(); }
-	Vector2i abs() const { return { Math::abs(x), Math::abs(y) }; }
-	constexpr Vector2i sign() const { return { int32_t(SIGN(x)), int32_t(SIGN(y)) }; }
-	constexpr Vector2i min(const Vector2i &p_v) const { return { MIN(x, p_v.x), MIN(y, p_v.y) }; }
-	constexpr Vector2i max(const Vector2i &p_v) const { return { MAX(x, p_v.x), MAX(y, p_v.y) }; }
+	Vector2i abs() const { return {Math::abs(x), Math::abs(y)}; }
+	constexpr Vector2i sign() const { return {int32_t(SIGN(x)), int32_t(SIGN(y))}; }
+	constexpr Vector2i min(const Vector2i &p_v) const { return {MIN(x, p_v.x), MIN(y, p_v.y)}; }
+	constexpr Vector2i max(const Vector2i &p_v) const { return {MAX(x, p_v.x), MAX(y, p_v.y)}; }
 	constexpr Vector2i clamp(const Vector2i &p_min, const Vector2i &p_max) const { return max(p_min).min(p_max); }
 	constexpr Axis min_axis_index() const { return x < y ? AXIS_X : AXIS_Y; }
 	constexpr Axis max_axis_index() const { return x < y ? AXIS_Y : AXIS_X; }

@@ -19,13 +19,13 @@ struct Vector3 {
 	const real_t &operator[](int p_axis) const { return (&x)[p_axis]; }
 	real_t &operator[](int p_axis) { return (&x)[p_axis]; }
 
-	constexpr Vector3 operator+(const Vector3 &p_v) const { return { x + p_v.x, y + p_v.y, z + p_v.z }; }
-	constexpr Vector3 operator-(const Vector3 &p_v) const { return { x - p_v.x, y - p_v.y, z - p_v.z }; }
-	constexpr Vector3 operator*(const Vector3 &p_v) const { return { x * p_v.x, y * p_v.y, z * p_v.z }; }
-	constexpr Vector3 operator/(const Vector3 &p_v) const { return { x / p_v.x, y / p_v.y, z / p_v.z }; }
-	constexpr Vector3 operator*(real_t p_s) const { return { x * p_s, y * p_s, z * p_s }; }
-	constexpr Vector3 operator/(real_t p_s) const { return { x / p_s, y / p_s, z / p_s }; }
-	constexpr Vector3 operator-() const { return { -x, -y, -z }; }
+	constexpr Vector3 operator+(const Vector3 &p_v) const { return {x + p_v.x, y + p_v.y, z + p_v.z}; }
+	constexpr Vector3 operator-(const Vector3 &p_v) const { return {x - p_v.x, y - p_v.y, z - p_v.z}; }
+	constexpr Vector3 operator*(const Vector3 &p_v) const { return {x * p_v.x, y * p_v.y, z * p_v.z}; }
+	constexpr Vector3 operator/(const Vector3 &p_v) const { return {x / p_v.x, y / p_v.y, z / p_v.z}; }
+	constexpr Vector3 operator*(real_t p_s) const { return {x * p_s, y * p_s, z * p_s}; }
+	constexpr Vector3 operator/(real_t p_s) const { return {x / p_s, y / p_s, z / p_s}; }
+	constexpr Vector3 operator-() const { return {-x, -y, -z}; }
 	constexpr Vector3 &operator+=(const Vector3 &p_v) { return *this = *this + p_v; }
 	constexpr Vector3 &operator-=(const Vector3 &p_v) { return *this = *this - p_v; }
 	constexpr Vector3 &operator*=(const Vector3 &p_v) { return *this = *this * p_v; }
@@ -35,7 +35,9 @@ struct Vector3 {
 	constexpr bool operator==(const Vector3 &p_v) const { return x == p_v.x && y == p_v.y && z == p_v.z; }
 	constexpr bool operator!=(const Vector3 &p_v) const { return !(*this == p_v); }
 	// In the order of the axes, so that vectors can be sorted and be keys.
-	constexpr bool operator<(const Vector3 &p_v) const { return x != p_v.x ? x < p_v.x : (y != p_v.y ? y < p_v.y : z < p_v.z); }
+	constexpr bool operator<(const Vector3 &p_v) const {
+		return x != p_v.x ? x < p_v.x : (y != p_v.y ? y < p_v.y : z < p_v.z);
+	}
 	constexpr bool operator>(const Vector3 &p_v) const { return p_v < *this; }
 	constexpr bool operator<=(const Vector3 &p_v) const { return !(p_v < *this); }
 	constexpr bool operator>=(const Vector3 &p_v) const { return !(*this < p_v); }
@@ -70,21 +72,28 @@ struct Vector3 {
 	constexpr Vector3 reflect(const Vector3 &p_normal) const { return p_normal * (2 * dot(p_normal)) - *this; }
 	constexpr Vector3 bounce(const Vector3 &p_normal) const { return -reflect(p_normal); }
 	constexpr Vector3 project(const Vector3 &p_to) const { return p_to * (dot(p_to) / p_to.length_squared()); }
-	Vector3 floor() const { return { Math::floor(x), Math::floor(y), Math::floor(z) }; }
-	Vector3 ceil() const { return { Math::ceil(x), Math::ceil(y), Math::ceil(z) }; }
-	Vector3 round() const { return { Math::round(x), Math::round(y), Math::round(z) }; }
-	bool is_equal_approx(const Vector3 &p_v) const { return Math::is_equal_approx(x, p_v.x) && Math::is_equal_approx(y, p_v.y) && Math::is_equal_approx(z, p_v.z); }
-	bool is_zero_approx() const { return Math::is_zero_approx(x) && Math::is_zero_approx(y) && Math::is_zero_approx(z); }
+	Vector3 floor() const { return {Math::floor(x), Math::floor(y), Math::floor(z)}; }
+	Vector3 ceil() const { return {Math::ceil(x), Math::ceil(y), Math::ceil(z)}; }
+	Vector3 round() const { return {Math::round(x), Math::round(y), Math::round(z)}; }
+	bool is_equal_approx(const Vector3 &p_v) const {
+		return Math::is_equal_approx(x, p_v.x) && Math::is_equal_approx(y, p_v.y) && Math::is_equal_approx(z, p_v.z);
+	}
+	bool is_zero_approx() const {
+		return Math::is_zero_approx(x) && Math::is_zero_approx(y) && Math::is_zero_approx(z);
+	}
 	bool is_finite() const { return Math::is_finite(x) && Math::is_finite(y) && Math::is_finite(z); }
-	constexpr Vector3 inverse() const { return { 1 / x, 1 / y, 1 / z }; }
-	Vector3 abs() const { return { Math::abs(x), Math::abs(y), Math::abs(z) }; }
-	constexpr Vector3 sign() const { return { real_t(SIGN(x)), real_t(SIGN(y)), real_t(SIGN(z)) }; }
-	constexpr Vector3 min(const Vector3 &p_v) const { return { MIN(x, p_v.x), MIN(y, p_v.y), MIN(z, p_v.z) }; }
-	constexpr Vector3 max(const Vector3 &p_v) const { return { MAX(x, p_v.x), MAX(y, p_v.y), MAX(z, p_v.z) }; }
+	constexpr Vector3 inverse() const { return {1 / x, 1 / y, 1 / z}; }
+	Vector3 abs() const { return {Math::abs(x), Math::abs(y), Math::abs(z)}; }
+	constexpr Vector3 sign() const { return {real_t(SIGN(x)), real_t(SIGN(y)), real_t(SIGN(z))}; }
+	constexpr Vector3 min(const Vector3 &p_v) const { return {MIN(x, p_v.x), MIN(y, p_v.y), MIN(z, p_v.z)}; }
+	constexpr Vector3 max(const Vector3 &p_v) const { return {MAX(x, p_v.x), MAX(y, p_v.y), MAX(z, p_v.z)}; }
 	constexpr Vector3 clamp(const Vector3 &p_min, const Vector3 &p_max) const { return max(p_min).min(p_max); }
-	Vector3 snapped(const Vector3 &p_step) const { return { real_t(Math::snapped(x, p_step.x)), real_t(Math::snapped(y, p_step.y)), real_t(Math::snapped(z, p_step.z)) }; }
+	Vector3 snapped(const Vector3 &p_step) const {
+		return {real_t(Math::snapped(x, p_step.x)), real_t(Math::snapped(y, p_step.y)),
+		        real_t(Math::snapped(z, p_step.z))};
+	}
 	constexpr Vector3 cross(const Vector3 &p_v) const {
-		return { y * p_v.z - z * p_v.y, z * p_v.x - x * p_v.z, x * p_v.y - y * p_v.x };
+		return {y * p_v.z - z * p_v.y, z * p_v.x - x * p_v.z, x * p_v.y - y * p_v.x};
 	}
 	real_t angle_to(const Vector3 &p_v) const { return Math::atan2(cross(p_v).length(), dot(p_v)); }
 	real_t signed_angle_to(const Vector3 &p_v, const Vector3 &p_axis) const {

@@ -19,15 +19,15 @@ struct Vector3i {
 	const int32_t &operator[](int p_axis) const { return (&x)[p_axis]; }
 	int32_t &operator[](int p_axis) { return (&x)[p_axis]; }
 
-	constexpr Vector3i operator+(const Vector3i &p_v) const { return { x + p_v.x, y + p_v.y, z + p_v.z }; }
-	constexpr Vector3i operator-(const Vector3i &p_v) const { return { x - p_v.x, y - p_v.y, z - p_v.z }; }
-	constexpr Vector3i operator*(const Vector3i &p_v) const { return { x * p_v.x, y * p_v.y, z * p_v.z }; }
-	constexpr Vector3i operator/(const Vector3i &p_v) const { return { x / p_v.x, y / p_v.y, z / p_v.z }; }
-	constexpr Vector3i operator%(const Vector3i &p_v) const { return { x % p_v.x, y % p_v.y, z % p_v.z }; }
-	constexpr Vector3i operator*(int32_t p_s) const { return { x * p_s, y * p_s, z * p_s }; }
-	constexpr Vector3i operator/(int32_t p_s) const { return { x / p_s, y / p_s, z / p_s }; }
-	constexpr Vector3i operator%(int32_t p_s) const { return { x % p_s, y % p_s, z % p_s }; }
-	constexpr Vector3i operator-() const { return { -x, -y, -z }; }
+	constexpr Vector3i operator+(const Vector3i &p_v) const { return {x + p_v.x, y + p_v.y, z + p_v.z}; }
+	constexpr Vector3i operator-(const Vector3i &p_v) const { return {x - p_v.x, y - p_v.y, z - p_v.z}; }
+	constexpr Vector3i operator*(const Vector3i &p_v) const { return {x * p_v.x, y * p_v.y, z * p_v.z}; }
+	constexpr Vector3i operator/(const Vector3i &p_v) const { return {x / p_v.x, y / p_v.y, z / p_v.z}; }
+	constexpr Vector3i operator%(const Vector3i &p_v) const { return {x % p_v.x, y % p_v.y, z % p_v.z}; }
+	constexpr Vector3i operator*(int32_t p_s) const { return {x * p_s, y * p_s, z * p_s}; }
+	constexpr Vector3i operator/(int32_t p_s) const { return {x / p_s, y / p_s, z / p_s}; }
+	constexpr Vector3i operator%(int32_t p_s) const { return {x % p_s, y % p_s, z % p_s}; }
+	constexpr Vector3i operator-() const { return {-x, -y, -z}; }
 	constexpr Vector3i &operator+=(const Vector3i &p_v) { return *this = *this + p_v; }
 	constexpr Vector3i &operator-=(const Vector3i &p_v) { return *this = *this - p_v; }
 	constexpr Vector3i &operator*=(const Vector3i &p_v) { return *this = *this * p_v; }
@@ -39,7 +39,9 @@ struct Vector3i {
 	constexpr bool operator==(const Vector3i &p_v) const { return x == p_v.x && y == p_v.y && z == p_v.z; }
 	constexpr bool operator!=(const Vector3i &p_v) const { return !(*this == p_v); }
 	// In the order of the axes, so that vectors can be sorted and be keys.
-	constexpr bool operator<(const Vector3i &p_v) const { return x != p_v.x ? x < p_v.x : (y != p_v.y ? y < p_v.y : z < p_v.z); }
+	constexpr bool operator<(const Vector3i &p_v) const {
+		return x != p_v.x ? x < p_v.x : (y != p_v.y ? y < p_v.y : z < p_v.z);
+	}
 	constexpr bool operator>(const Vector3i &p_v) const { return p_v < *this; }
 	constexpr bool operator<=(const Vector3i &p_v) const { return !(p_v < *this); }
 	constexpr bool operator>=(const Vector3i &p_v) const { return !(*this < p_v); }
@@ -48,10 +50,10 @@ struct Vector3i {
 	double length() const { return Math::sqrt(double(length_squared())); }
 	constexpr int64_t distance_squared_to(const Vector3i &p_to) const { return (p_to - *this).length_squared(); }
 	double distance_to(const Vector3i &p_to) const { return (p_to - *this).length(); }
-	Vector3i abs() const { return { Math::abs(x), Math::abs(y), Math::abs(z) }; }
-	constexpr Vector3i sign() const { return { int32_t(SIGN(x)), int32_t(SIGN(y)), int32_t(SIGN(z)) }; }
-	constexpr Vector3i min(const Vector3i &p_v) const { return { MIN(x, p_v.x), MIN(y, p_v.y), MIN(z, p_v.z) }; }
-	constexpr Vector3i max(const Vector3i &p_v) const { return { MAX(x, p_v.x), MAX(y, p_v.y), MAX(z, p_v.z) }; }
+	Vector3i abs() const { return {Math::abs(x), Math::abs(y), Math::abs(z)}; }
+	constexpr Vector3i sign() const { return {int32_t(SIGN(x)), int32_t(SIGN(y)), int32_t(SIGN(z))}; }
+	constexpr Vector3i min(const Vector3i &p_v) const { return {MIN(x, p_v.x), MIN(y, p_v.y), MIN(z, p_v.z)}; }
+	constexpr Vector3i max(const Vector3i &p_v) const { return {MAX(x, p_v.x), MAX(y, p_v.y), MAX(z, p_v.z)}; }
 	constexpr Vector3i clamp(const Vector3i &p_min, const Vector3i &p_max) const { return max(p_min).min(p_max); }
 	constexpr Axis min_axis_index() const { return x < y ? (x < z ? AXIS_X : AXIS_Z) : (y < z ? AXIS_Y : AXIS_Z); }
 	constexpr Axis max_axis_index() const { return x < y ? (y < z ? AXIS_Z : AXIS_Y) : (x < z ? AXIS_Z : AXIS_X); }
