@@ -160,14 +160,9 @@ void Clipper::emit_pieces(const Geometry &geometry, const GeometryFace &face) {
 			continue;
 		}
 		emit_outline(i);
-		for (const glm::dvec3 &point : _outline) {
-			_builder.add_point(point);
-		}
-		if (glm::dot(area_vector(_outline), normal) > 0.0 && _builder.end_loop()) {
+		if (glm::dot(area_vector(_outline), normal) > 0.0 && _builder.add_loop(_outline)) {
 			add_holes(geometry, _outline, normal);
 			_builder.end_face(face.tag, face.material);
-		} else {
-			_builder.drop_points();
 		}
 	}
 }
@@ -204,10 +199,7 @@ void Clipper::add_holes(const Geometry &geometry, const std::vector<glm::dvec3> 
 		if (!contains(flat, flatten(points[0], normal))) {
 			continue;
 		}
-		for (const glm::dvec3 &point : points) {
-			_builder.add_point(point);
-		}
-		_builder.end_loop();
+		_builder.add_loop(points);
 	}
 }
 
@@ -229,17 +221,11 @@ bool Clipper::add_caps(const Plane &plane) {
 		(size > 0.0 ? outlines : holes).push_back(loop);
 	}
 	for (const auto &outline : outlines) {
-		for (const glm::dvec3 &point : outline) {
-			_builder.add_point(point);
-		}
-		_builder.end_loop();
+		_builder.add_loop(outline);
 		const std::vector<glm::dvec2> flat = flattened(outline, -plane.normal);
 		for (const auto &hole : holes) {
 			if (contains(flat, flatten(hole[0], -plane.normal))) {
-				for (const glm::dvec3 &point : hole) {
-					_builder.add_point(point);
-				}
-				_builder.end_loop();
+				_builder.add_loop(hole);
 			}
 		}
 		_builder.end_face();

@@ -80,10 +80,7 @@ private:
 			if (is_reversed) {
 				reverse_keeping_first_edge(loop);
 			}
-			for (const glm::dvec3 &point : loop) {
-				_builder.add_point(point);
-			}
-			_builder.end_loop();
+			_builder.add_loop(loop);
 		}
 		_builder.end_face(FaceTag::None, face.material);
 	}
@@ -123,6 +120,20 @@ private:
 	bool _is_hollow;
 	GeometryBuilder _builder;
 };
+
+// Of the triangles of the fan around the first point, weighted by their signed area. False: there is no area.
+bool center_of_gravity(std::span<const glm::dvec3> loop, glm::dvec3 &center) {
+	const glm::dvec3 normal = loop_normal(loop);
+	glm::dvec3 sum(0.0);
+	double weight = 0.0;
+	for (size_t i = 1; i + 1 < loop.size(); ++i) {
+		const double area = glm::dot(glm::cross(loop[i] - loop[0], loop[i + 1] - loop[0]), normal);
+		sum += area * (loop[0] + loop[i] + loop[i + 1]) / 3.0;
+		weight += area;
+	}
+	center = sum / weight;
+	return std::abs(weight) > 1e-12;
+}
 
 // y to the direction of the extrusion, x as it was as far as it can.
 void turn_to(Shape &shape, glm::dvec3 direction, Arena &arena) {
@@ -170,39 +181,24 @@ bool extrude(Shape &shape, ExtrudeDirection direction, double height, bool keeps
 
 bool taper(Shape &shape, double height, Arena &arena) {
 	const Geometry *geometry = baked(shape, arena);
-	if (geometry == nullptr) {
+	glm::dvec3 center;
+	if (geometry == nullptr || !center_of_gravity(geometry->outline(geometry->faces[0]), center)) {
 		return false;
 	}
 	const auto outline = geometry->outline(geometry->faces[0]);
 	const glm::dvec3 normal = face_normal(*geometry, geometry->faces[0]);
-	glm::dvec3 center(0.0);
-	double weight = 0.0;
-	for (size_t i = 1; i + 1 < outline.size(); ++i) { // centre of gravity: triangles of the fan, weighted by their signed area
-		const double area = glm::dot(glm::cross(outline[i] - outline[0], outline[i + 1] - outline[0]), normal);
-		center += area * (outline[0] + outline[i] + outline[i + 1]) / 3.0;
-		weight += area;
-	}
-	if (!(std::abs(weight) > 1e-12)) {
-		return false;
-	}
+	const glm::dvec3 apex = center + normal * height;
 	Loop base(outline.begin(), outline.end());
 	if (height < 0.0) {
 		reverse_keeping_first_edge(base);
 	}
-	const glm::dvec3 apex = center / weight + normal * height;
 	GeometryBuilder builder;
 	for (size_t i = 0; i < base.size(); ++i) {
-		builder.add_point(base[i]);
-		builder.add_point(base[(i + 1) % base.size()]);
-		builder.add_point(apex);
-		builder.end_loop();
+		builder.add_loop(Loop{ base[i], base[(i + 1) % base.size()], apex });
 		builder.end_face();
 	}
 	reverse_keeping_first_edge(base);
-	for (const glm::dvec3 &point : base) {
-		builder.add_point(point);
-	}
-	builder.end_loop();
+	builder.add_loop(base);
 	builder.end_face();
 	set_geometry(shape, builder.finish(arena, true));
 	turn_to(shape, normal, arena);
@@ -226,10 +222,7 @@ void reverse_normals(Shape &shape, Arena &arena) {
 			if (loop.size() >= 2) {
 				reverse_keeping_first_edge(loop);
 			}
-			for (const glm::dvec3 &point : loop) {
-				builder.add_point(point);
-			}
-			builder.end_loop(1);
+			builder.add_loop(loop, 1);
 		}
 		builder.end_face(face.tag, face.material);
 	}

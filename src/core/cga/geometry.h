@@ -52,8 +52,10 @@ public:
 	void add_point(glm::dvec3 point) { _points.push_back(point); }
 	// Ends a loop of the points added since the last one. Equal neighbours are merged; false and nothing added if fewer than `least` remain.
 	bool end_loop(size_t least = 3);
-	// Forgets the points added since the last loop.
-	void drop_points() { _points.resize(_loop_ends.empty() ? 0 : _loop_ends.back()); }
+	bool add_loop(std::span<const glm::dvec3> loop, size_t least = 3) {
+		_points.insert(_points.end(), loop.begin(), loop.end());
+		return end_loop(least);
+	}
 	// Ends a face of the loops added since the last one; none of them: no face.
 	void end_face(FaceTag tag = FaceTag::None, uint16_t material = 0);
 	void add_face(const Geometry &source, const GeometryFace &face);

@@ -1,0 +1,361 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "core/cga/derivation.h"
+#include "core/cga/dialect.h"
+#include "core/io/rule_loader.h"
+
+// Runs every file of tests/rules/cga against the `// expect` lines at its top. The format is in tests/rules/cga/README.md.
+namespace {
+
+using namespace pcg;
+
+constexpr double tolerance = 1e-3;
+
+struct RuleTest {
+	std::string path;
+	cga::InitialShape shape = cga::InitialShape::rectangle(10.0, 10.0);
+	cga::DeriveOptions options;
+	std::vector<std::string> expectations;
+};
+
+struct Outcome {
+	cga::DerivationResult model;
+	Diagnostics diagnostics; // of loading and deriving
+};
+
+std::vector<glm::dvec3> read_points(std::istringstream &line) {
+	std::vector<glm::dvec3> points;
+	glm::dvec3 point;
+	char comma = 0;
+	while (line >> point.x >> comma >> point.y >> comma >> point.z) {
+		points.push_back(point);
+	}
+	return points;
+}
+
+void read_lot(std::istringstream &line, RuleTest &test) {
+	const std::string rest = line.str().substr(size_t(line.tellg()));
+	double width = 0.0, depth = 0.0;
+	if (std::sscanf(rest.c_str(), " %lfx%lf", &width, &depth) == 2) {
+		test.shape.faces = cga::InitialShape::rectangle(width, depth).faces;
+	} else {
+		test.shape.faces = { { read_points(line), {} } };
+	}
+}
+
+void read_attribute(std::istringstream &line, RuleTest &test) {
+	std::string name, value;
+	line >> name >> value;
+	char *end = nullptr;
+	const double number = std::strtod(value.c_str(), &end);
+	if (*end == '\0') {
+		test.shape.attributes.emplace_back(name, number);
+	} else if (value == "true" || value == "false") {
+		test.shape.attributes.emplace_back(name, value == "true");
+	} else {
+		test.shape.attributes.emplace_back(name, value);
+	}
+}
+
+void read_limit(std::istringstream &line, RuleTest &test) {
+	std::string name;
+	uint32_t value = 0;
+	line >> name >> value;
+	cga::DeriveLimits &limits = test.options.limits;
+	if (name == "shapes") {
+		limits.max_shapes = value;
+	} else if (name == "repeats") {
+		limits.max_repeats = value;
+	} else if (name == "depth") {
+		limits.max_depth = value;
+	} else {
+		FAIL_CHECK(test.path << ": unknown limit " << name);
+	}
+}
+
+void read_directive(const std::string &text, RuleTest &test) {
+	std::istringstream line(text);
+	std::string word;
+	line >> word;
+	if (word == "expect") {
+		test.expectations.push_back(text.substr(text.find("expect") + 7));
+	} else if (word == "lot") {
+		read_lot(line, test);
+	} else if (word == "hole") {
+		test.shape.faces[0].holes.push_back(read_points(line));
+	} else if (word == "streets") {
+		for (float width = 0.0f; line >> width;) {
+			test.shape.street_widths.push_back(width);
+		}
+	} else if (word == "seed") {
+		line >> test.shape.seed;
+	} else if (word == "start") {
+		line >> test.shape.start_rule;
+	} else if (word == "attr") {
+		read_attribute(line, test);
+	} else if (word == "limit") {
+		read_limit(line, test);
+	}
+}
+
+RuleTest read_test(const std::filesystem::path &path) {
+	RuleTest test;
+	test.path = path.string();
+	std::ifstream file(path);
+	for (std::string line; std::getline(file, line);) {
+		if (line.starts_with("// ")) {
+			read_directive(line.substr(3), test);
+		}
+	}
+	return test;
+}
+
+bool is_near(double a, double b) {
+	return std::abs(a - b) <= tolerance * std::max(1.0, std::abs(b));
+}
+bool is_near(glm::dvec3 a, glm::dvec3 b) {
+	return is_near(a.x, b.x) && is_near(a.y, b.y) && is_near(a.z, b.z);
+}
+
+double face_area(const Mesh &mesh, const MeshFace &face) {
+	Mesh one;
+	one.positions = mesh.positions;
+	one.loop_ends = mesh.loop_ends;
+	one.faces = { face };
+	return area(one);
+}
+
+// Mean of the corners of its outline.
+glm::dvec3 middle(const Mesh &mesh, const MeshFace &face) {
+	glm::dvec3 sum(0.0);
+	for (const glm::vec3 &point : mesh.loop(face.first_loop)) {
+		sum += glm::dvec3(point);
+	}
+	return sum / double(mesh.loop(face.first_loop).size());
+}
+
+glm::dvec3 read_vector(std::istringstream &line) {
+	glm::dvec3 vector(0.0);
+	line >> vector.x >> vector.y >> vector.z;
+	return vector;
+}
+
+double read_number(std::istringstream &line) {
+	double number = NAN;
+	line >> number;
+	return number;
+}
+
+// "at 1 2 3 facing 0 0 1 area 4": each thing of the list must fit all keys of the line.
+struct Keys {
+	std::vector<std::pair<std::string, glm::dvec3>> values;
+
+	explicit Keys(std::istringstream &line) {
+		for (std::string key; line >> key;) {
+			const bool is_vector = key == "at" || key == "facing";
+			values.emplace_back(key, is_vector ? read_vector(line) : glm::dvec3(read_number(line)));
+		}
+	}
+	template <typename Get> bool fits(Get get) const {
+		return std::ranges::all_of(values, [&](const auto &pair) { return is_near(get(pair.first), pair.second); });
+	}
+};
+
+bool has_face(const cga::DerivationResult &model, std::istringstream &line) {
+	const Keys keys(line);
+	return std::ranges::any_of(model.mesh.faces, [&](const MeshFace &face) {
+		return keys.fits([&](const std::string &key) {
+			const glm::vec4 color = model.materials[face.material].color;
+			return key == "at" ? middle(model.mesh, face)
+					: key == "facing" ? glm::dvec3(face.normal)
+					: key == "area" ? glm::dvec3(face_area(model.mesh, face))
+					: key == "corners" ? glm::dvec3(double(model.mesh.loop(face.first_loop).size()))
+					: key == "loops" ? glm::dvec3(face.loop_count)
+					: key == "red" ? glm::dvec3(color.r)
+					: key == "green" ? glm::dvec3(color.g)
+					: key == "blue" ? glm::dvec3(color.b)
+					: key == "opacity" ? glm::dvec3(color.a)
+									   : glm::dvec3(NAN);
+		});
+	});
+}
+
+bool has_entrance(const cga::DerivationResult &model, std::istringstream &line) {
+	std::string type;
+	line >> type;
+	const Keys keys(line);
+	return std::ranges::any_of(model.entrances, [&](const cga::ModelEntrance &entrance) {
+		return entrance.type == type && keys.fits([&](const std::string &key) {
+			return key == "at" ? glm::dvec3(entrance.position) : key == "facing" ? glm::dvec3(entrance.facing)
+					: key == "capacity"											  ? glm::dvec3(entrance.capacity)
+																				  : glm::dvec3(NAN);
+		});
+	});
+}
+
+double polygon_area(const std::vector<glm::vec3> &polygon) { // in plan
+	double sum = 0.0;
+	for (size_t i = 0; i < polygon.size(); ++i) {
+		const glm::vec3 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+		sum += double(a.z) * b.x - double(b.z) * a.x;
+	}
+	return 0.5 * sum;
+}
+
+bool has_zone(const cga::DerivationResult &model, std::istringstream &line) {
+	std::string type;
+	line >> type;
+	const Keys keys(line);
+	return std::ranges::any_of(model.zones, [&](const cga::ModelZone &zone) {
+		return zone.type == type && keys.fits([&](const std::string &key) {
+			return key == "height" ? glm::dvec3(zone.height) : key == "area" ? glm::dvec3(polygon_area(zone.polygon))
+					: key == "corners"										  ? glm::dvec3(double(zone.polygon.size()))
+					: key == "bottom"										  ? glm::dvec3(zone.polygon[0].y)
+																			  : glm::dvec3(NAN);
+		});
+	});
+}
+
+bool has_object(const cga::DerivationResult &model, std::istringstream &line) {
+	std::string tag;
+	line >> tag;
+	const Keys keys(line);
+	return std::ranges::any_of(model.objects, [&](const cga::ModelObject &object) {
+		return object.tag == tag && keys.fits([&](const std::string &key) {
+			return key == "at" ? glm::dvec3(object.frame[3]) : key == "faces" ? glm::dvec3(double(object.mesh.faces.size()))
+					: key == "places"										  ? glm::dvec3(double(object.places.size()))
+					: key == "parent"										  ? glm::dvec3(object.parent)
+																			  : glm::dvec3(NAN);
+		});
+	});
+}
+
+bool has_place(const cga::DerivationResult &model, std::istringstream &line) {
+	const Keys keys(line);
+	return std::ranges::any_of(model.objects, [&](const cga::ModelObject &object) {
+		return std::ranges::any_of(object.places, [&](const cga::ModelPlace &place) {
+			return keys.fits([&](const std::string &key) { return glm::dvec3(key == "at" ? place.position : place.facing); });
+		});
+	});
+}
+
+bool has_report(const cga::DerivationResult &model, std::istringstream &line) {
+	std::string name;
+	line >> name;
+	const Keys keys(line);
+	return std::ranges::any_of(model.reports, [&](const cga::ModelReport &report) {
+		return report.key == name && keys.fits([&](const std::string &key) {
+			return glm::dvec3(key == "sum" ? report.sum : key == "count" ? double(report.count) : key == "min" ? report.min
+							: key == "max"								 ? report.max
+																		 : NAN);
+		});
+	});
+}
+
+bool has_bounds(const cga::DerivationResult &model, std::istringstream &line) {
+	glm::dvec3 low(INFINITY), high(-INFINITY);
+	for (const glm::vec3 &point : model.mesh.positions) {
+		low = glm::min(low, glm::dvec3(point));
+		high = glm::max(high, glm::dvec3(point));
+	}
+	const glm::dvec3 wanted_low = read_vector(line);
+	return is_near(low, wanted_low) && is_near(high, read_vector(line));
+}
+
+bool has_diagnostic(const Outcome &outcome, Severity severity, std::istringstream &line) {
+	std::string id;
+	line >> id;
+	return std::ranges::any_of(outcome.diagnostics.list(), [&](const Diagnostic &d) { return d.severity == severity && d.id == id; });
+}
+
+bool is_met(const Outcome &outcome, const std::string &expectation) {
+	const cga::DerivationResult &model = outcome.model;
+	std::istringstream line(expectation);
+	std::string what;
+	line >> what;
+	if (what == "face") {
+		return has_face(model, line);
+	}
+	if (what == "entrance") {
+		return has_entrance(model, line);
+	}
+	if (what == "zone") {
+		return has_zone(model, line);
+	}
+	if (what == "object") {
+		return has_object(model, line);
+	}
+	if (what == "place") {
+		return has_place(model, line);
+	}
+	if (what == "report") {
+		return has_report(model, line);
+	}
+	if (what == "bounds") {
+		return has_bounds(model, line);
+	}
+	if (what == "warning" || what == "error") {
+		return has_diagnostic(outcome, what == "error" ? Severity::Error : Severity::Warning, line);
+	}
+	if (what == "print") {
+		return std::ranges::find(model.prints, expectation.substr(6)) != model.prints.end();
+	}
+	const double wanted = read_number(line);
+	return is_near(wanted, what == "faces" ? double(model.mesh.faces.size())
+					: what == "area"		  ? area(model.mesh)
+					: what == "leaves"		  ? double(model.leaf_count)
+					: what == "materials"	  ? double(model.materials.size())
+					: what == "entrances"	  ? double(model.entrances.size())
+					: what == "zones"		  ? double(model.zones.size())
+					: what == "objects"		  ? double(model.objects.size())
+											  : NAN);
+}
+
+Outcome run(const RuleTest &test) {
+	Outcome outcome;
+	const auto program = load_program(test.path, cga::cga_dialect(), outcome.diagnostics);
+	if (program != nullptr) {
+		outcome.model = cga::derive(*program, test.shape, test.options);
+		outcome.diagnostics.append(outcome.model.diagnostics);
+	}
+	return outcome;
+}
+
+void check(const RuleTest &test) {
+	const Outcome outcome = run(test);
+	bool expects_trouble = false;
+	for (const std::string &expectation : test.expectations) {
+		INFO(test.path << ": expect " << expectation << "\n" << to_text(outcome.diagnostics));
+		CHECK(is_met(outcome, expectation));
+		expects_trouble |= expectation.starts_with("warning") || expectation.starts_with("error");
+	}
+	INFO(test.path << "\n" << to_text(outcome.diagnostics));
+	CHECK((expects_trouble || outcome.diagnostics.is_empty()));
+	CHECK(!test.expectations.empty());
+}
+
+} // namespace
+
+TEST_CASE("every rule file of tests/rules/cga makes what it says it makes") {
+	std::vector<std::filesystem::path> paths;
+	std::error_code error;
+	for (const auto &entry : std::filesystem::directory_iterator("tests/rules/cga", error)) {
+		if (entry.path().extension() == ".cga") {
+			paths.push_back(entry.path());
+		}
+	}
+	REQUIRE_MESSAGE(!paths.empty(), "run the tests from the top of the repository");
+	std::ranges::sort(paths);
+	for (const auto &path : paths) {
+		check(read_test(path));
+	}
+}
