@@ -9,6 +9,8 @@ The first form writes OUT/include and OUT/src; files that would not change keep 
 """
 
 import argparse
+import hashlib
+import os
 import sys
 from pathlib import Path
 
@@ -42,6 +44,27 @@ def generate_all(api, options, included):
     print(f"bindings: {len(names)} engine classes, {output.changed} files changed ({api.version})")
 
 
+def inputs_key(options, headers):
+    """Changes whenever the generated files may change."""
+    key = hashlib.sha256(repr((sorted(headers), options.precision)).encode())
+    for path in (options.api, options.interface):
+        status = os.stat(path)
+        key.update(f"{status.st_size} {status.st_mtime_ns}".encode())
+    for path in sorted(Path(__file__).resolve().parent.glob("**/*.py")):
+        key.update(path.read_bytes())
+    return key.hexdigest()
+
+
+def generate_if_changed(options, headers):
+    stamp = Path(options.out) / "inputs.txt"
+    key = inputs_key(options, headers)
+    if stamp.exists() and stamp.read_text() == key:
+        return
+    api = Api(options.api, options.precision)
+    generate_all(api, options, sources.classes_of(api, headers))
+    stamp.write_text(key)
+
+
 def write_profile(path, names):
     Path(path).write_text(sources.profile_text(names), encoding="utf-8")
     return 0
@@ -59,14 +82,14 @@ def check_profile(path, names):
 
 def main(arguments):
     options = parse_arguments(arguments)
-    api = Api(options.api, options.precision)
-    included = sources.included_classes(api, options.sources)
+    headers = sources.included_headers(options.sources)
     if options.out:
         if not options.interface:
             raise SystemExit("--out needs --interface")
-        generate_all(api, options, included)
+        generate_if_changed(options, headers)
     if options.profile:
-        return (check_profile if options.check else write_profile)(options.profile, sources.profile_names(included))
+        names = sources.profile_names(sources.classes_of(Api(options.api), headers))
+        return (check_profile if options.check else write_profile)(options.profile, names)
     return 0
 
 

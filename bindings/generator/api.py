@@ -93,7 +93,7 @@ class Api:
         if text == "null":
             return "nullptr"
         if text in ("[]", "{}") or text.startswith(("Array[", "Dictionary[")):
-            return f"{cpp}()"
+            return "{}"
         if kind in _NUMBERS:
             return text
         literal = re.fullmatch(r'(?:&|\^|StringName|NodePath|)\(?(".*")\)?', text)

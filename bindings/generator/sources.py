@@ -10,21 +10,26 @@ _NOT_A_CLASS = {"global_constants", "global_constants_binds", "ref", "wrapped"}
 _ALWAYS = {"Object", "RefCounted"}
 
 
-def included_classes(api, folders):
-    """Names of the included classes. An include of an unknown class ends the run with the place."""
-    found = set()
+def included_headers(folders):
+    """Header name of a class -> "file:line" of its first include."""
+    found = {}
     for folder in folders:
         for path in sorted(Path(folder).rglob("*")):
             if path.suffix not in (".h", ".hpp", ".cpp", ".inc"):
                 continue
             for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
                 match = _INCLUDE.search(line)
-                if not match or match[1] in _NOT_A_CLASS:
-                    continue
-                if match[1] not in api.by_header:
-                    raise SystemExit(f"{path}:{number}: this engine has no class with a header '{match[1]}.hpp'.")
-                found.add(api.by_header[match[1]])
+                if match and match[1] not in _NOT_A_CLASS:
+                    found.setdefault(match[1], f"{path}:{number}")
     return found
+
+
+def classes_of(api, headers):
+    """Names of the included classes. An include of an unknown class ends the run with the place."""
+    for header, place in headers.items():
+        if header not in api.by_header:
+            raise SystemExit(f"{place}: this engine has no class with a header '{header}.hpp'.")
+    return {api.by_header[header] for header in headers}
 
 
 def with_ancestors(api, names):
