@@ -277,6 +277,17 @@ bool has_diagnostic(const Outcome &outcome, Severity severity, std::istringstrea
 	return std::ranges::any_of(outcome.diagnostics.list(), [&](const Diagnostic &d) { return d.severity == severity && d.id == id; });
 }
 
+double quantity(const cga::DerivationResult &model, const std::string &what) {
+	return what == "faces" ? double(model.mesh.faces.size())
+			: what == "area" ? area(model.mesh)
+			: what == "leaves" ? double(model.leaf_count)
+			: what == "materials" ? double(model.materials.size())
+			: what == "entrances" ? double(model.entrances.size())
+			: what == "zones" ? double(model.zones.size())
+			: what == "objects" ? double(model.objects.size())
+								: NAN;
+}
+
 bool is_met(const Outcome &outcome, const std::string &expectation) {
 	const cga::DerivationResult &model = outcome.model;
 	std::istringstream line(expectation);
@@ -309,15 +320,7 @@ bool is_met(const Outcome &outcome, const std::string &expectation) {
 	if (what == "print") {
 		return std::ranges::find(model.prints, expectation.substr(6)) != model.prints.end();
 	}
-	const double wanted = read_number(line);
-	return is_near(wanted, what == "faces" ? double(model.mesh.faces.size())
-					: what == "area"		  ? area(model.mesh)
-					: what == "leaves"		  ? double(model.leaf_count)
-					: what == "materials"	  ? double(model.materials.size())
-					: what == "entrances"	  ? double(model.entrances.size())
-					: what == "zones"		  ? double(model.zones.size())
-					: what == "objects"		  ? double(model.objects.size())
-											  : NAN);
+	return is_near(read_number(line), quantity(model, what));
 }
 
 Outcome run(const RuleTest &test) {
