@@ -189,7 +189,7 @@ Shape face_shape(const Shape &parent, const Geometry &geometry, std::span<const 
 	const auto outline = geometry.outline(first);
 	Shape shape = parent;
 	Frame frame;
-	if (!keeps_axes) {
+	if (!keeps_axes && outline.size() >= 2) {
 		frame = { axes_from_z(face_normal(geometry, first), outline[1] - outline[0]), outline[0] };
 		set_pivot(shape, parent, frame, arena);
 	}

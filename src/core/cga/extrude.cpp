@@ -39,7 +39,8 @@ private:
 		const glm::dvec3 normal = face_normal(_geometry, face);
 		const glm::dvec3 axis = _direction == ExtrudeDirection::FaceNormal ? normal : _up;
 		const double along = glm::dot(axis, normal) * _height;
-		if (std::abs(glm::dot(axis, normal)) < 1e-6) {
+		const bool has_area = _geometry.outline(face).size() >= 3; // edges and points have none
+		if (!has_area || std::abs(glm::dot(axis, normal)) < 1e-6) {
 			return;
 		}
 		std::vector<Loop> bottom, top;
@@ -182,7 +183,7 @@ bool extrude(Shape &shape, ExtrudeDirection direction, double height, bool keeps
 bool taper(Shape &shape, double height, Arena &arena) {
 	const Geometry *geometry = baked(shape, arena);
 	glm::dvec3 center;
-	if (geometry == nullptr || !center_of_gravity(geometry->outline(geometry->faces[0]), center)) {
+	if (geometry == nullptr || geometry->point_count < 3 || !center_of_gravity(geometry->outline(geometry->faces[0]), center)) {
 		return false;
 	}
 	const auto outline = geometry->outline(geometry->faces[0]);

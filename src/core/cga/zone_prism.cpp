@@ -56,7 +56,7 @@ ZonePrism zone_prism(const Shape &shape, double flat_height) {
 		top = std::max({ top, corner.y, corner.y + along_up.y });
 	}
 	prism.height = top - bottom;
-	const bool is_polygon = shape.geometry != nullptr && shape.geometry->face_count == 1 && std::abs(shape.size[up]) < flat;
+	const bool is_polygon = shape.geometry != nullptr && shape.geometry->face_count == 1 && shape.geometry->point_count >= 3 && std::abs(shape.size[up]) < flat;
 	if (is_polygon) {
 		prism.outline = polygon_of(shape, frame);
 	}
