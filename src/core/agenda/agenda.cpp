@@ -58,6 +58,9 @@ bool comes_before(const Task &a, const Task &b) {
 
 // Brings the start into [0, 24 h), moving the days along.
 void normalize(Task &task) {
+	if (task.start_ms >= 0 && task.start_ms < day_ms) {
+		return;
+	}
 	int32_t shift = task.start_ms / day_ms;
 	if (task.start_ms % day_ms < 0) {
 		--shift;
@@ -96,16 +99,21 @@ bool overlaps(const Task &old, Span hole) { return hole.start < old.end_ms && ol
 // Adds what `newest` leaves of `old` to `kept`. An entry lasts at most 24 h, so only the days next to a day matter.
 void keep_remains(std::vector<Task> &kept, const Task &old, const Task &newest) {
 	std::array<DayMask, 3> hit{}; // days of `old` on which the occurrence -1, 0, +1 days away cuts it
+	unsigned cutting = 0; // which of the three do so on any day
 	for (int shift = -1; shift <= 1; ++shift) {
 		if (overlaps(old, occurrence(newest, shift))) {
 			hit[size_t(shift + 1)] = old.days & rotate_days(newest.days, -shift);
+			cutting |= hit[size_t(shift + 1)] != 0 ? 1u << (shift + 1) : 0u;
 		}
 	}
-	if ((hit[0] | hit[1] | hit[2]) == 0) {
+	if (cutting == 0) {
 		add_piece(kept, old);
 		return;
 	}
 	for (unsigned cuts = 0; cuts < 8; ++cuts) {
+		if ((cuts & ~cutting) != 0) {
+			continue; // on no day
+		}
 		DayMask days = old.days;
 		Remains remains({ old.start_ms, old.end_ms });
 		for (int i = 0; i < 3; ++i) {

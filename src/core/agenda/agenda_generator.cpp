@@ -1,6 +1,7 @@
 #include "core/agenda/agenda_generator.h"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 
 #include "core/agenda/generation_context.h"
@@ -41,6 +42,11 @@ public:
 		set.first_floating_task.reserve(_population.persons.size() + 1);
 		set.first_task.push_back(0);
 		set.first_floating_task.push_back(0);
+		size_t task_count = 0;
+		for (const Batch &batch : _batches) {
+			task_count += batch.tasks.size();
+		}
+		set.tasks.reserve(task_count);
 		std::vector<Place> warned;
 		for (Batch &batch : _batches) {
 			append(set, batch);

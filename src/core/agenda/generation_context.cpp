@@ -13,6 +13,29 @@ constexpr double week_seconds = 7.0 * day_seconds;
 constexpr size_t max_entries = 4096; // of one person; real days have a few dozen
 constexpr size_t max_floating_tasks = 4096;
 
+// Warns of times that cannot hold; an entry of more than a day is cut. False: nothing is to be inserted.
+bool check_times(Vm &vm, std::string_view operation, double start, double &end) {
+	const auto name = [operation] { return "'" + std::string(operation) + "'"; };
+	if (!std::isfinite(start) || !std::isfinite(end)) {
+		vm.warn("time-not-finite", name() + " has a time that is not finite, so nothing is inserted",
+				"the distance to a building that cannot be reached is infinite: test it with isValid(..) or a comparison first");
+		return false;
+	}
+	if (std::abs(start) > week_seconds) {
+		vm.warn("time-out-of-range", name() + " starts more than a week away, so nothing is inserted", "times are seconds from 0h of the day");
+		return false;
+	}
+	if (start >= end) {
+		vm.warn("no-length", name() + " would end before it starts, so nothing is inserted", "the first time has to be before the second");
+		return false;
+	}
+	if (end - start > day_seconds) {
+		vm.warn("longer-than-a-day", name() + " lasts longer than 24 h and is cut there", "write one entry for each day");
+		end = start + day_seconds;
+	}
+	return true;
+}
+
 } // namespace
 
 void GenerationContext::begin_household(HouseholdId id, DayMask days) {
@@ -38,23 +61,8 @@ Flow GenerationContext::insert(Vm &vm, std::string_view operation, TaskKind kind
 	if (!require_focus(vm, operation)) {
 		return Flow::Stop;
 	}
-	const std::string name = "'" + std::string(operation) + "'";
-	if (!std::isfinite(start) || !std::isfinite(end)) {
-		vm.warn("time-not-finite", name + " has a time that is not finite, so nothing is inserted",
-				"the distance to a building that cannot be reached is infinite: test it with isValid(..) or a comparison first");
+	if (!check_times(vm, operation, start, end)) {
 		return Flow::Next;
-	}
-	if (std::abs(start) > week_seconds) {
-		vm.warn("time-out-of-range", name + " starts more than a week away, so nothing is inserted", "times are seconds from 0h of the day");
-		return Flow::Next;
-	}
-	if (start >= end) {
-		vm.warn("no-length", name + " would end before it starts, so nothing is inserted", "the first time has to be before the second");
-		return Flow::Next;
-	}
-	if (end - start > day_seconds) {
-		vm.warn("longer-than-a-day", name + " lasts longer than 24 h and is cut there", "write one entry for each day");
-		end = start + day_seconds;
 	}
 	Task task;
 	task.start_ms = int32_t(Duration::seconds(start).ms);

@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
 
 #include "agenda_fixture.h"
+#include "core/io/household_csv.h"
+#include "core/population/population_generator.h"
 
 using namespace pcg;
 
@@ -107,6 +109,70 @@ TEST_CASE("a city without school or work leaves everybody at home") {
 	CHECK(fixture.day_of(child) == "00:00-24:00 stay 0");
 	CHECK(fixture.diagnostics.error_count() == 0);
 	CHECK(fixture.problems() == "unknown-type unknown-type"); // school and workplace, each once
+}
+
+TEST_CASE("in a town of real households no child that has an adult ever walks alone, and who fetches it is there in time") {
+	AgendaFixture fixture;
+	for (int i = 0; i < 400; ++i) {
+		fixture.add_building(i % 10 == 0 ? "school" : i % 3 == 0 ? "workplace" : "house", 35.0f * float(i), 40);
+	}
+	const Result<HouseholdTable> table = read_household_table("rules/data/households_us_acs2023.csv");
+	REQUIRE(table.is_ok());
+	PopulationOptions people;
+	people.persons = 3000;
+	fixture.population = generate_population(*table, fixture.city, people, fixture.diagnostics);
+	REQUIRE(fixture.generate_file("rules/agenda/weekday.pcg"));
+	CHECK(fixture.problems() == "");
+	int children = 0;
+	int walks_alone = 0;
+	for (uint32_t i = 0; i < fixture.population.persons.size(); ++i) {
+		if (fixture.population.persons[i].age < 18.0f) {
+			++children;
+			for (const Task &task : fixture.agendas.tasks_of(PersonId(i))) {
+				walks_alone += task.kind == TaskKind::GoToBuilding;
+			}
+		}
+	}
+	CHECK(children > 300);
+	CHECK(walks_alone == 0);
+	int late = 0;
+	const BuildingId no_building = BuildingId::Invalid;
+	for (const Group &group : fixture.agendas.groups) {
+		BuildingId before = no_building; // where the leader is told to be when the group sets out
+		for (const Task &task : fixture.agendas.tasks_of(group.leader)) {
+			before = task.end_ms == group.start_ms ? BuildingId(task.target) : before;
+		}
+		BuildingId children_at = no_building;
+		for (const Task &task : fixture.agendas.tasks_of(group.joiners.front())) {
+			children_at = task.end_ms == group.start_ms ? BuildingId(task.target) : children_at;
+		}
+		late += before != children_at;
+	}
+	CHECK(late == 0);
+}
+
+TEST_CASE("on a weekend some households go shopping together, led by one adult") {
+	AgendaFixture fixture;
+	fixture.add_building("house", 0);
+	fixture.add_building("shop", 450);
+	fixture.options.overrides.push_back({ "outgoing", Value::of(1.0) });
+	fixture.add_household(BuildingId(0));
+	const PersonId adult = fixture.add_person(40);
+	const PersonId child = fixture.add_person(8);
+	REQUIRE(fixture.generate_file("rules/agenda/weekend.pcg"));
+	CHECK(fixture.problems() == "");
+	REQUIRE(fixture.agendas.groups.size() == 2);
+	CHECK(fixture.agendas.groups[0].leader == adult);
+	CHECK(fixture.agendas.groups[0].goal == BuildingId(1));
+	CHECK(fixture.agendas.groups[1].goal == BuildingId(0));
+	// home, to the shop (10 minutes), an hour inside, home again
+	const auto tasks = fixture.agendas.tasks_of(child);
+	REQUIRE(tasks.size() == 5);
+	CHECK(tasks[1].kind == TaskKind::Accompany);
+	CHECK(tasks[1].end_ms - tasks[1].start_ms == 600'000);
+	CHECK(tasks[2].end_ms - tasks[2].start_ms == 3'600'000);
+	CHECK(tasks[3].kind == TaskKind::Accompany);
+	CHECK(fixture.agendas.floating_tasks_of(adult).size() == 2);
 }
 
 TEST_CASE("elders go to the park by a delayed rule") {
