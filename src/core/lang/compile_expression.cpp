@@ -117,7 +117,7 @@ Compiler::Known Compiler::expression(uint32_t id) {
 		case ExprKind::Unary:
 			return unary(expr);
 		case ExprKind::Binary:
-			return expr.op == TokenKind::And || expr.op == TokenKind::Or ? logical(expr) : binary(expr);
+			return binary_chain(id);
 		case ExprKind::Case:
 			return case_expression(expr);
 		case ExprKind::Chance:
@@ -183,28 +183,40 @@ bool Compiler::fold_binary(TokenKind op, uint32_t begin, uint32_t depth, uint32_
 	return true;
 }
 
-Compiler::Known Compiler::binary(const Expr &expr) {
-	const auto operands = _scope.ast->list(expr.children);
-	const uint32_t begin = here(), depth = _builders.back().depth;
-	if (expr.is_elementwise) {
-		not_supported(expr.offset, "operators that work element by element");
-		return unknown_value(expr.offset);
+// a + b + c + .. leans to the left and may be long: its operators are taken from the innermost outwards in a loop.
+Compiler::Known Compiler::binary_chain(uint32_t id) {
+	std::vector<uint32_t> chain;
+	while (_scope.ast->exprs[id].kind == ExprKind::Binary) {
+		chain.push_back(id);
+		id = _scope.ast->list(_scope.ast->exprs[id].children)[0];
 	}
-	const Known a = expression(operands[0]);
-	const Known b = expression(operands[1]);
+	const uint32_t begin = here(), depth = _builders.back().depth;
+	Known known = expression(id);
+	while (!chain.empty()) {
+		const Expr &expr = _scope.ast->exprs[chain.back()];
+		chain.pop_back();
+		if (expr.is_elementwise) {
+			not_supported(expr.offset, "operators that work element by element");
+		} else if (expr.op == TokenKind::And || expr.op == TokenKind::Or) {
+			known = logical(expr);
+		} else {
+			known = binary(expr, known, begin, depth);
+		}
+	}
+	return known;
+}
+
+// The left operand lies on the stack already.
+Compiler::Known Compiler::binary(const Expr &expr, Known left, uint32_t begin, uint32_t depth) {
+	const Known right = expression(_scope.ast->list(expr.children)[1]);
 	if (!fold_binary(expr.op, begin, depth, expr.offset)) {
 		emit(binary_opcode(expr.op), expr.offset, -1);
 	}
-	return binary_result(expr.op, a, b);
+	return binary_result(expr.op, left, right);
 }
 
 Compiler::Known Compiler::logical(const Expr &expr) {
 	const auto operands = _scope.ast->list(expr.children);
-	if (expr.is_elementwise) {
-		not_supported(expr.offset, "operators that work element by element");
-		return unknown_value(expr.offset);
-	}
-	expression(operands[0]);
 	const uint32_t jump = emit_jump(expr.op == TokenKind::And ? OpCode::AndJump : OpCode::OrJump, expr.offset, -1);
 	if (expression(operands[1]) != ValueType::Bool) {
 		emit(OpCode::CheckBool, _scope.ast->exprs[operands[1]].offset, 0);

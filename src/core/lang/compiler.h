@@ -96,7 +96,8 @@ private:
 	// compile_expression.cpp
 	Known expression(uint32_t expr);
 	Known unknown_value(uint32_t offset); // a harmless value in place of what was diagnosed
-	Known binary(const Expr &expr);
+	Known binary_chain(uint32_t expr);
+	Known binary(const Expr &expr, Known left, uint32_t begin, uint32_t depth);
 	Known logical(const Expr &expr);
 	Known unary(const Expr &expr);
 	Known case_expression(const Expr &expr);

@@ -2,7 +2,7 @@
 
 #include <array>
 #include <charconv>
-#include <cstdlib>
+#include <iterator>
 #include <string>
 
 namespace pcg {
@@ -253,20 +253,33 @@ struct Symbol {
 	TokenKind kind;
 };
 
-// Longer ones before their beginnings.
-constexpr Symbol symbols[] = { { "-->", TokenKind::Arrow }, { "->", TokenKind::PaperArrow }, { "...", TokenKind::Ellipsis },
-	{ "==", TokenKind::Equal }, { "=:", TokenKind::ConnectedAssign }, { ":=", TokenKind::WithAssign }, { "!=", TokenKind::NotEqual },
-	{ "<=", TokenKind::LessEqual }, { ">=", TokenKind::GreaterEqual }, { "&&", TokenKind::And }, { "||", TokenKind::Or },
-	{ "(", TokenKind::OpenParen }, { ")", TokenKind::CloseParen }, { "{", TokenKind::OpenBrace }, { "}", TokenKind::CloseBrace },
-	{ "[", TokenKind::OpenBracket }, { "]", TokenKind::CloseBracket }, { ",", TokenKind::Comma }, { ";", TokenKind::Semicolon },
-	{ ":", TokenKind::Colon }, { "|", TokenKind::Bar }, { "=", TokenKind::Assign }, { "@", TokenKind::At }, { "'", TokenKind::Quote },
-	{ "~", TokenKind::Tilde }, { "+", TokenKind::Plus }, { "-", TokenKind::Minus }, { "*", TokenKind::Star }, { "/", TokenKind::Slash },
-	{ "%", TokenKind::Percent }, { "!", TokenKind::Not }, { "<", TokenKind::Less }, { ">", TokenKind::Greater }, { ".", TokenKind::Dot } };
+// Grouped by first character, longer ones before their beginnings.
+constexpr Symbol symbols[] = { { "-->", TokenKind::Arrow }, { "->", TokenKind::PaperArrow }, { "-", TokenKind::Minus },
+	{ "...", TokenKind::Ellipsis }, { ".", TokenKind::Dot }, { "==", TokenKind::Equal }, { "=:", TokenKind::ConnectedAssign },
+	{ "=", TokenKind::Assign }, { ":=", TokenKind::WithAssign }, { ":", TokenKind::Colon }, { "!=", TokenKind::NotEqual },
+	{ "!", TokenKind::Not }, { "<=", TokenKind::LessEqual }, { "<", TokenKind::Less }, { ">=", TokenKind::GreaterEqual },
+	{ ">", TokenKind::Greater }, { "&&", TokenKind::And }, { "||", TokenKind::Or }, { "|", TokenKind::Bar }, { "(", TokenKind::OpenParen },
+	{ ")", TokenKind::CloseParen }, { "{", TokenKind::OpenBrace }, { "}", TokenKind::CloseBrace }, { "[", TokenKind::OpenBracket },
+	{ "]", TokenKind::CloseBracket }, { ",", TokenKind::Comma }, { ";", TokenKind::Semicolon }, { "@", TokenKind::At },
+	{ "'", TokenKind::Quote }, { "~", TokenKind::Tilde }, { "+", TokenKind::Plus }, { "*", TokenKind::Star }, { "/", TokenKind::Slash },
+	{ "%", TokenKind::Percent } };
+
+// By character: where its group begins, plus one; 0 for characters that begin no symbol.
+constexpr std::array<uint8_t, 128> make_symbol_groups() {
+	std::array<uint8_t, 128> groups = {};
+	for (size_t i = std::size(symbols); i-- > 0;) {
+		groups[size_t(symbols[i].text[0])] = uint8_t(i + 1);
+	}
+	return groups;
+}
+constexpr std::array<uint8_t, 128> symbol_groups = make_symbol_groups();
 
 bool Lexer::read_symbol() {
 	const size_t elementwise = at(_at) == '.' ? elementwise_length(_at) : 0;
 	const size_t start = elementwise > 0 ? 1 : 0;
-	for (const Symbol &symbol : symbols) {
+	const uint8_t first = uint8_t(at(_at + start));
+	for (size_t i = first < 128 ? symbol_groups[first] : 0; i > 0 && i <= std::size(symbols) && symbols[i - 1].text[0] == char(first); ++i) {
+		const Symbol &symbol = symbols[i - 1];
 		if (_text.substr(_at + start, symbol.text.size()) == symbol.text && (start == 0 || symbol.text.size() == elementwise - 1)) {
 			add(symbol.kind, symbol.text.size() + start);
 			_list.tokens.back().is_elementwise = start > 0;

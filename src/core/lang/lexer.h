@@ -69,7 +69,7 @@ struct TokenList {
 };
 
 // Brackets deeper than this are refused: no rule needs them, and a parser that follows them runs out of stack.
-constexpr uint32_t max_nesting = 200;
+constexpr uint32_t max_nesting = 100;
 
 TokenList tokenize(const Source &source, bool has_time_units, Diagnostics &diagnostics);
 

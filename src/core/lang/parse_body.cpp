@@ -185,6 +185,11 @@ uint32_t Parser::parse_group() {
 
 uint32_t Parser::parse_inline() {
 	Command command;
+	Depth depth(*this);
+	if (!depth.is_fine()) {
+		command.body = add_body({});
+		return add(command);
+	}
 	command.kind = CommandKind::Inline;
 	command.offset = take().offset;
 	if (accept(TokenKind::OpenParen)) {
@@ -285,6 +290,13 @@ bool Parser::has_head() const {
 			case TokenKind::CloseParen:
 			case TokenKind::End:
 				return false;
+			case TokenKind::OpenParen:
+			case TokenKind::OpenBrace:
+			case TokenKind::OpenBracket:
+				if (token.match == 0) {
+					return false;
+				}
+				break;
 			default:
 				break;
 		}

@@ -213,7 +213,11 @@ uint32_t Parser::parse_unary() {
 // An index binds only where it touches: `f = a` and `[` on the next line stay apart.
 uint32_t Parser::parse_postfix() {
 	uint32_t value = parse_primary();
-	while (is(TokenKind::OpenBracket) && peek().touches_previous && !_panic) {
+	for (uint32_t count = 0; is(TokenKind::OpenBracket) && peek().touches_previous && !_panic; ++count) {
+		if (count > max_nesting) {
+			error("nested-too-deeply", peek(), "more than " + std::to_string(max_nesting) + " indices");
+			break;
+		}
 		Expr index;
 		index.kind = ExprKind::Index;
 		index.offset = take().offset;

@@ -33,6 +33,11 @@ void Parser::error(std::string_view id, const Token &token, std::string message,
 		_diagnostics.add(_source.diagnostic(Severity::Error, id, token.offset, std::move(message), std::move(hint)));
 	}
 	_panic = true;
+	// What has so many mistakes is no rule file; the first ones tell why.
+	constexpr uint32_t most = 100;
+	if (++_error_count >= most) {
+		_at = uint32_t(_tokens.size() - 1);
+	}
 }
 
 void Parser::unexpected(std::string_view wanted) {
@@ -60,10 +65,10 @@ std::string_view Parser::take_name(std::string_view what) {
 }
 
 bool Parser::Depth::is_fine() {
-	if (_parser._depth <= max_nesting) {
+	if (_parser._depth <= max_depth) {
 		return true;
 	}
-	_parser.error("nested-too-deeply", _parser.peek(), "nested deeper than " + std::to_string(max_nesting) + " levels",
+	_parser.error("nested-too-deeply", _parser.peek(), "nested deeper than " + std::to_string(max_depth) + " levels",
 			"give the inner part a rule or function of its own");
 	return false;
 }

@@ -98,6 +98,8 @@ private:
 	uint32_t error_expr();
 
 	// Counts how deep the parser is in its own calls: chains of `case`, minus signs and the like nest without brackets.
+	// A bracket costs up to three of these levels, so brackets reach their own limit first.
+	static constexpr uint32_t max_depth = 3 * max_nesting + 20;
 	class Depth {
 	public:
 		explicit Depth(Parser &parser) : _parser(parser) { ++_parser._depth; }
@@ -117,6 +119,7 @@ private:
 	uint32_t _at = 0;
 	uint32_t _brackets = 0; // open ones: inside of them no item can begin
 	uint32_t _depth = 0;
+	uint32_t _error_count = 0;
 	bool _panic = false; // after an error, until the parser has found a beginning again
 	std::vector<AstAnnotation> _annotations; // of the item to come
 };

@@ -151,6 +151,11 @@ void Loader::load_import(uint32_t module, const AstImport &import) {
 	const Module importer = _set.modules[module];
 	const ParsedFile &file = *_set.files[importer.file];
 	const std::string path = resolve_import(file.path, import.path);
+	if (_stack.size() > max_nesting) {
+		_diagnostics.add(file.source->diagnostic(Severity::Error, "too-many-imports", import.offset,
+				"imports nested deeper than " + std::to_string(max_nesting) + " files"));
+		return;
+	}
 	if (_set.modules.size() >= max_modules) {
 		if (_set.modules.size() == max_modules) {
 			_diagnostics.add(file.source->diagnostic(Severity::Error, "too-many-imports", import.offset,

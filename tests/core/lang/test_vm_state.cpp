@@ -1,0 +1,112 @@
+#include <doctest/doctest.h>
+
+#include "tests/core/lang/test_dialects.h"
+
+using namespace pcg;
+using namespace pcg::test;
+
+namespace {
+
+const char *const rules = "x = rand(0, 1)\n"
+						  "Start --> set(a, \"one\" + 1) set(n, 3) [ set(a, \"two\") Inner(x) log(a, n) ] log(a) log(rand(0, 1))\n"
+						  "Inner(y) --> set(n, 4) case y >= 0: wait(1) log(a, n, y == x) else: log(\"never\")";
+
+} // namespace
+
+TEST_CASE("a run that was saved and restored into another interpreter ends like one that was not") {
+	Diagnostics diagnostics;
+	const auto program = program_of(rules, day_dialect(), diagnostics);
+	REQUIRE(program);
+	LogHost host;
+	Vm vm(*program, host);
+	vm.begin(42);
+	REQUIRE(vm.call(program->find_rule("Start")) == RunState::Paused);
+	const VmState state = vm.save();
+	REQUIRE(vm.resume() == RunState::Finished);
+
+	LogHost other_host;
+	Vm other(*program, other_host);
+	REQUIRE(other.restore(state));
+	CHECK(other.is_paused());
+	CHECK(other.resume() == RunState::Finished);
+	CHECK(host.text().starts_with("[ wait two,4,true two,3 ] one1"));
+	CHECK("[ wait " + other_host.text() == host.text());
+}
+
+TEST_CASE("one interpreter serves many waiting runs") {
+	Diagnostics diagnostics;
+	const auto program = program_of("Start --> set(n, rand(0, 100)) wait(1) log(n) wait(1) log(n)", day_dialect(), diagnostics);
+	REQUIRE(program);
+	LogHost host;
+	Vm vm(*program, host);
+	std::vector<VmState> waiting;
+	for (uint64_t seed = 0; seed < 3; ++seed) {
+		vm.begin(seed);
+		REQUIRE(vm.call(program->find_rule("Start")) == RunState::Paused);
+		waiting.push_back(vm.save());
+	}
+	host.log.clear();
+	for (int round = 0; round < 2; ++round) {
+		for (VmState &state : waiting) {
+			REQUIRE(vm.restore(state));
+			vm.resume();
+			if (vm.is_paused()) {
+				state = vm.save();
+			}
+		}
+	}
+	REQUIRE(host.log.size() == 9); // in the first round each waits once more
+	CHECK(host.log[0] == host.log[6]);
+	CHECK(host.log[2] == host.log[7]);
+	CHECK(host.log[4] == host.log[8]);
+	CHECK(host.log[0] != host.log[2]);
+}
+
+TEST_CASE("a damaged or foreign state is refused") {
+	Diagnostics diagnostics;
+	const auto program = program_of(rules, day_dialect(), diagnostics);
+	const auto foreign = program_of("Start --> wait(1) log(1)", day_dialect(), diagnostics);
+	REQUIRE(program);
+	REQUIRE(foreign);
+	LogHost host;
+	Vm vm(*program, host);
+	REQUIRE(vm.call(program->find_rule("Start")) == RunState::Paused);
+	const VmState good = vm.save();
+	const auto is_refused = [&](auto &&damage) {
+		VmState state = good;
+		damage(state);
+		LogHost other_host;
+		Vm other(*program, other_host);
+		return !other.restore(state) && other.resume() == RunState::Finished;
+	};
+	CHECK(is_refused([](VmState &s) { s.address = 0; }));
+	CHECK(is_refused([](VmState &s) { s.address += 1; }));
+	CHECK(is_refused([](VmState &s) { s.address = 0xFFFFFFFF; }));
+	CHECK(is_refused([](VmState &s) { s.frames.clear(); }));
+	CHECK(is_refused([](VmState &s) { s.frames.back().return_address = 1; }));
+	CHECK(is_refused([](VmState &s) { s.frames.back().callable = 99; }));
+	CHECK(is_refused([](VmState &s) { s.frames.back().trail_mark = 99; }));
+	CHECK(is_refused([](VmState &s) { s.frames[1].kind = VmFrame::Kind::Group; }));
+	CHECK(is_refused([](VmState &s) { s.slots.clear(); }));
+	CHECK(is_refused([](VmState &s) { s.trail[0].slot = 77; }));
+	CHECK(is_refused([](VmState &s) { s.slots[1].index = 12345; /* the text in `a` */ }));
+	CHECK(is_refused([](VmState &s) { s.texts.clear(); }));
+	CHECK(is_refused([](VmState &s) { s.stack.push_back(Value::of(1.0)); }));
+	CHECK(is_refused([](VmState &s) { s.base = 1; }));
+	LogHost other_host;
+	Vm other(*foreign, other_host);
+	CHECK(!other.restore(good));
+}
+
+TEST_CASE("a run that is given up leaves nothing behind") {
+	Diagnostics diagnostics;
+	const auto program = program_of(rules, day_dialect(), diagnostics);
+	REQUIRE(program);
+	LogHost host;
+	Vm vm(*program, host);
+	REQUIRE(vm.call(program->find_rule("Start")) == RunState::Paused);
+	vm.abandon();
+	CHECK(host.text() == "[ wait ]");
+	CHECK(!vm.is_paused());
+	CHECK(vm.call(program->find_rule("Start")) == RunState::Paused);
+}
