@@ -103,33 +103,24 @@ uint32_t Compiler::arguments(const std::vector<ParamSpec> &params, std::string_v
 
 bool Compiler::argument(const ParamSpec &param, std::string_view name, size_t position, uint32_t id) {
 	const Expr &expr = _scope.ast->exprs[id];
-	Known known = ValueType::Void;
-	ValueType wanted = ValueType::Void;
 	switch (param.kind) {
 		case ParamKind::Any:
 			size_expression(id);
 			return false;
-		case ParamKind::Size:
-			known = size_expression(id);
-			wanted = ValueType::Number;
-			break;
 		case ParamKind::Number:
+		case ParamKind::Size:
 		case ParamKind::Bool:
 		case ParamKind::Text:
-			known = expression(id);
-			wanted = param.kind == ParamKind::Number ? ValueType::Number
-					: param.kind == ParamKind::Bool	 ? ValueType::Bool
-													 : ValueType::Text;
-			break;
+			return value_argument(param, name, position, id);
 		case ParamKind::Word:
-			if (!word_argument(param, name, expr)) {
+			if (!word_argument(param, expr)) {
 				complain("unknown-word", expr.offset, "argument " + std::to_string(position + 1) + " of `" + std::string(name) + "` is one of: " +
 								std::string(param.words));
 				emit_constant(Value::of_index(ValueType::Word, 0), expr.offset);
 			}
 			return false;
 		case ParamKind::WordOrNumber:
-			return !word_argument(param, name, expr) && size_expression(id) != ValueType::Number;
+			return !word_argument(param, expr) && size_expression(id) != ValueType::Number;
 		case ParamKind::Predicate:
 			emit_constant(Value::of_index(ValueType::Chunk, uint32_t(value_chunk(id, false))), expr.offset);
 			return false;
@@ -140,14 +131,23 @@ bool Compiler::argument(const ParamSpec &param, std::string_view name, size_t po
 			target_argument(expr);
 			return false;
 	}
+	return false;
+}
+
+// A number, text or truth: what is certainly something else is told now, what is unknown is looked at while running.
+bool Compiler::value_argument(const ParamSpec &param, std::string_view name, size_t position, uint32_t id) {
+	const Known known = param.kind == ParamKind::Size ? size_expression(id) : expression(id);
+	const ValueType wanted = param.kind == ParamKind::Bool ? ValueType::Bool
+			: param.kind == ParamKind::Text				   ? ValueType::Text
+														   : ValueType::Number;
 	if (known != ValueType::Void && known != wanted) {
-		complain("type-mismatch", expr.offset, "argument " + std::to_string(position + 1) + " of `" + std::string(name) + "` (" +
+		complain("type-mismatch", _scope.ast->exprs[id].offset, "argument " + std::to_string(position + 1) + " of `" + std::string(name) + "` (" +
 						std::string(param.name) + ") must be " + std::string(type_name(wanted)) + ", this is " + std::string(type_name(known)));
 	}
 	return known != wanted;
 }
 
-bool Compiler::word_argument(const ParamSpec &param, std::string_view, const Expr &expr) {
+bool Compiler::word_argument(const ParamSpec &param, const Expr &expr) {
 	if (expr.kind != ExprKind::Name) {
 		return false;
 	}

@@ -130,15 +130,17 @@ Compiler::Known Compiler::expression(uint32_t id) {
 		case ExprKind::Index:
 			return index(expr);
 		case ExprKind::Element:
-			not_supported(expr.offset, "ranges a:b");
-			return unknown_value(expr.offset);
 		case ExprKind::Components:
-			not_supported(expr.offset, "comp() as a function");
-			return unknown_value(expr.offset);
 		case ExprKind::ImportCall:
-			not_supported(expr.offset, "calls of an import with attributes of their own");
-			return unknown_value(expr.offset);
+			return unsupported_expression(expr);
 	}
+	return unknown_value(expr.offset);
+}
+
+Compiler::Known Compiler::unsupported_expression(const Expr &expr) {
+	not_supported(expr.offset, expr.kind == ExprKind::Element ? "ranges a:b"
+					: expr.kind == ExprKind::Components		  ? "comp() as a function"
+															  : "calls of an import with attributes of their own");
 	return unknown_value(expr.offset);
 }
 
@@ -340,78 +342,6 @@ Compiler::Known Compiler::index(const Expr &expr) {
 	}
 	emit(OpCode::Index, expr.offset, 1 - int(parts.size()), 0, 0, std::min<size_t>(parts.size() - 1, 2));
 	return ValueType::Void;
-}
-
-// --- Names
-
-// A parameter, a `with` value, or with dynamic locals whatever may have been set by a caller.
-bool Compiler::local_name(const Expr &expr) {
-	for (size_t i = _scope.locals.size(); i-- > 0;) {
-		if (_scope.locals[i] == expr.name) {
-			if (is_dynamic()) {
-				emit(OpCode::LoadSlot, expr.offset, 1, slot(expr.name));
-			} else {
-				emit(OpCode::LoadLocal, expr.offset, 1, uint32_t(i));
-			}
-			return true;
-		}
-	}
-	const auto known = _slots.find(expr.name);
-	if (!is_dynamic() || _scope.is_attribute || known == _slots.end()) {
-		return false;
-	}
-	// Where it is not set at that moment, the name may still be an attribute or a variable.
-	const uint32_t other = emit_jump(OpCode::JumpIfUnset, expr.offset, 0, known->second);
-	emit(OpCode::LoadSlot, expr.offset, 1, known->second);
-	const uint32_t end = emit_jump(OpCode::Jump, expr.offset, -1);
-	land(other);
-	const uint32_t begin = here(), depth = _builders.back().depth;
-	if (global_name(expr, false) == ValueType::Void && here() == begin) {
-		drop_code(other, depth);
-		emit(OpCode::LoadSlot, expr.offset, 1, known->second);
-		return true;
-	}
-	land(end);
-	return true;
-}
-
-Compiler::Known Compiler::name(const Expr &expr) {
-	if (expr.name == "true" || expr.name == "false") {
-		emit_constant(Value::of(expr.name == "true"), expr.offset);
-		return ValueType::Bool;
-	}
-	return local_name(expr) ? ValueType::Void : global_name(expr, true);
-}
-
-// Emits nothing if there is no such name and it is not required.
-Compiler::Known Compiler::global_name(const Expr &expr, bool is_required) {
-	const uint32_t found = _set.find_value(_scope.space, expr.name, 0);
-	if (found != no_node) {
-		const Definition &definition = _definitions[found];
-		const bool is_attribute = definition.kind == Definition::Kind::Attribute;
-		emit(is_attribute ? OpCode::LoadAttribute : OpCode::CallUser, expr.offset, 1, definition.index);
-		return ValueType::Void;
-	}
-	const int variable = _dialect.find_variable(expr.name);
-	if (variable >= 0) {
-		emit(OpCode::LoadVariable, expr.offset, 1, uint32_t(variable));
-		return ValueType::Void;
-	}
-	const int function = _dialect.find_function(expr.name, 0);
-	if (function >= 0) {
-		return call_builtin(uint32_t(function), expr.name, {}, expr.offset);
-	}
-	if (!is_required) {
-		return ValueType::Void;
-	}
-	if (_set.has_value(_scope.space, expr.name) || _dialect.has_function(expr.name)) {
-		complain("wrong-argument-count", expr.offset, "`" + std::string(expr.name) + "` is a function and needs arguments");
-	} else if (_set.has_rule(_scope.space, expr.name)) {
-		complain("not-a-value", expr.offset, "`" + std::string(expr.name) + "` is a rule: it has no value");
-	} else {
-		unknown("name", expr.name, expr.offset, false);
-	}
-	return unknown_value(expr.offset);
 }
 
 } // namespace pcg

@@ -95,6 +95,7 @@ private:
 
 	// compile_expression.cpp
 	Known expression(uint32_t expr);
+	Known unsupported_expression(const Expr &expr);
 	Known unknown_value(uint32_t offset); // a harmless value in place of what was diagnosed
 	Known binary_chain(uint32_t expr);
 	Known binary(const Expr &expr, Known left, uint32_t begin, uint32_t depth);
@@ -105,9 +106,6 @@ private:
 	Known array(const Expr &expr);
 	Known array_elements(const Expr &row, uint32_t &count);
 	Known index(const Expr &expr);
-	Known name(const Expr &expr);
-	bool local_name(const Expr &expr);
-	Known global_name(const Expr &expr, bool is_required);
 	Known call(const Expr &expr);
 	Known call_builtin(uint32_t function, std::string_view name, NodeRange arguments, uint32_t offset);
 	Known size_expression(uint32_t expr); // with ' or ~ allowed
@@ -117,10 +115,17 @@ private:
 	Chunk value_chunk(uint32_t expr, bool is_size);
 	void warn_shares(std::span<const uint32_t> shares);
 
+	// compile_name.cpp
+	Known name(const Expr &expr);
+	bool local_name(const Expr &expr);
+	Known global_name(const Expr &expr, bool is_required);
+	Known unknown_global(const Expr &expr);
+
 	// compile_call.cpp: arguments of built-ins
 	uint32_t arguments(const std::vector<ParamSpec> &params, std::string_view name, NodeRange list); // gives the mask of what to check
 	bool argument(const ParamSpec &param, std::string_view name, size_t position, uint32_t expr); // whether it must be checked
-	bool word_argument(const ParamSpec &param, std::string_view name, const Expr &expr);
+	bool value_argument(const ParamSpec &param, std::string_view name, size_t position, uint32_t expr);
+	bool word_argument(const ParamSpec &param, const Expr &expr);
 	void rule_argument(const Expr &expr);
 	void target_argument(const Expr &expr);
 	int choose_function(std::string_view name, NodeRange list) const;

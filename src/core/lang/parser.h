@@ -37,10 +37,12 @@ private:
 	std::string_view take_name(std::string_view what);
 	NodeRange add_children(const std::vector<uint32_t> &list);
 
-	// parser.cpp: items
 	bool starts_item() const;
 	bool starts_definition(uint32_t at) const;
 	bool is_with(uint32_t at) const;
+	void synchronize();
+
+	// parse_item.cpp
 	void parse_item();
 	bool parse_keyword_item();
 	void parse_version();
@@ -49,7 +51,6 @@ private:
 	void parse_value(AstItem::Kind kind);
 	void parse_definition(bool is_start, bool is_extension);
 	void parse_annotation();
-	void synchronize();
 	std::vector<AstParam> parse_params();
 	std::vector<AstLocal> parse_with();
 	std::vector<AstOverride> parse_overrides();
@@ -86,16 +87,18 @@ private:
 	uint32_t parse_postfix();
 	uint32_t parse_primary();
 	uint32_t parse_name();
-	uint32_t parse_components(Expr call);
-	uint32_t parse_array();
-	uint32_t parse_array_row(uint32_t offset);
-	uint32_t parse_array_element();
 	std::vector<uint32_t> parse_arguments();
 	bool is_import_call(uint32_t open) const;
 	uint32_t parse_import_call(std::string_view name);
 	std::string_view decode_string(const Token &token);
 	uint32_t add(Expr expr);
 	uint32_t error_expr();
+
+	// parse_array.cpp
+	uint32_t parse_components(Expr call);
+	uint32_t parse_array();
+	uint32_t parse_array_row(uint32_t offset);
+	uint32_t parse_array_element();
 
 	// Counts how deep the parser is in its own calls: chains of `case`, minus signs and the like nest without brackets.
 	// A bracket costs up to three of these levels, so brackets reach their own limit first.

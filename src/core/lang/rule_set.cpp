@@ -40,6 +40,7 @@ private:
 	bool is_cycle(const std::string &path, const ParsedFile &importer, const AstImport &import);
 	void load_module(uint32_t file, uint32_t space, uint32_t depth);
 	void load_import(uint32_t module, const AstImport &import);
+	uint32_t open_space(const Module &importer, const AstImport &import);
 	void define_items(uint32_t module);
 	void define_overrides(uint32_t module, const AstImport &import, uint32_t space);
 	void inherit_attributes(uint32_t module, const AstImport &import, uint32_t space);
@@ -163,18 +164,7 @@ void Loader::load_import(uint32_t module, const AstImport &import) {
 		}
 		return;
 	}
-	uint32_t space = importer.space;
-	if (!import.id.empty()) {
-		space = uint32_t(_set.spaces.size());
-		Space opened;
-		opened.prefix = _set.spaces[importer.space].prefix + std::string(import.id) + ".";
-		opened.parent = importer.space;
-		_set.spaces.push_back(std::move(opened));
-		if (!_set.spaces[importer.space].imports.emplace(import.id, space).second) {
-			_diagnostics.add(file.source->diagnostic(Severity::Error, "duplicate-name", import.offset,
-					"two imports are called `" + std::string(import.id) + "`", "give one of them another name"));
-		}
-	}
+	const uint32_t space = import.id.empty() ? importer.space : open_space(importer, import);
 	const uint32_t imported = is_cycle(path, file, import) ? no_node : read(path, &file, &import);
 	if (imported == no_node) {
 		_set.spaces[space].is_missing = true;
@@ -189,6 +179,20 @@ void Loader::load_import(uint32_t module, const AstImport &import) {
 	if (!import.id.empty() && _dialect.locals == Dialect::Locals::Lexical) {
 		inherit_attributes(module, import, space);
 	}
+}
+
+// The space of an import with an id.
+uint32_t Loader::open_space(const Module &importer, const AstImport &import) {
+	const uint32_t space = uint32_t(_set.spaces.size());
+	Space opened;
+	opened.prefix = _set.spaces[importer.space].prefix + std::string(import.id) + ".";
+	opened.parent = importer.space;
+	_set.spaces.push_back(std::move(opened));
+	if (!_set.spaces[importer.space].imports.emplace(import.id, space).second) {
+		_diagnostics.add(_set.files[importer.file]->source->diagnostic(Severity::Error, "duplicate-name", import.offset,
+				"two imports are called `" + std::string(import.id) + "`", "give one of them another name"));
+	}
+	return space;
 }
 
 void Loader::define_items(uint32_t module) {

@@ -177,6 +177,7 @@ private:
 	Value to_saved(const Value &value, VmState &state) const;
 	bool from_saved(Value &value, const VmState &state);
 	bool is_sound(const VmState &state) const;
+	bool restore_values(const VmState &state);
 
 	const Program *_program;
 	VmHost *_host;

@@ -134,20 +134,12 @@ bool Vm::is_sound(const VmState &state) const {
 	return slots_exist && base == state.base && height == state.stack.size() && height + _program->max_stack < _limits.max_stack;
 }
 
-bool Vm::restore(const VmState &state) {
-	if (_is_paused) {
-		abandon();
-	}
-	if (!is_sound(state)) {
-		return false;
-	}
-	begin(state.seed);
+// Everything of the state that is a value; false if one of them names nothing.
+bool Vm::restore_values(const VmState &state) {
 	for (const VmState::SavedArray &saved : state.arrays) {
 		std::vector<Value> values = saved.values;
-		const bool is_good = uint64_t(saved.rows) * saved.columns == values.size() &&
-				std::all_of(values.begin(), values.end(), [&](Value &value) { return from_saved(value, state); });
-		if (!is_good) {
-			begin(0);
+		if (uint64_t(saved.rows) * saved.columns != values.size() ||
+				!std::all_of(values.begin(), values.end(), [&](Value &value) { return from_saved(value, state); })) {
 			return false;
 		}
 		make_array(values, saved.rows);
@@ -157,15 +149,22 @@ bool Vm::restore(const VmState &state) {
 	_own_attributes = state.attributes;
 	_attributes = _own_attributes.data();
 	_top = std::copy(state.stack.begin(), state.stack.end(), _stack);
-	bool is_good = true;
-	for (VmTrailEntry &entry : _trail) {
-		is_good = is_good && from_saved(entry.old, state);
+	const auto restore_all = [&](std::span<Value> values) {
+		return std::all_of(values.begin(), values.end(), [&](Value &value) { return from_saved(value, state); });
+	};
+	return std::all_of(_trail.begin(), _trail.end(), [&](VmTrailEntry &entry) { return from_saved(entry.old, state); }) &&
+			restore_all({ _stack, _top }) && restore_all(_slots) && restore_all(_own_attributes);
+}
+
+bool Vm::restore(const VmState &state) {
+	if (_is_paused) {
+		abandon();
 	}
-	for (auto [first, last] : { std::pair(_stack, _top), std::pair(_slots.data(), _slots.data() + _slots.size()),
-				 std::pair(_own_attributes.data(), _own_attributes.data() + _own_attributes.size()) }) {
-		is_good = is_good && std::all_of(first, last, [&](Value &value) { return from_saved(value, state); });
+	if (!is_sound(state)) {
+		return false;
 	}
-	if (!is_good) {
+	begin(state.seed);
+	if (!restore_values(state)) {
 		begin(0);
 		return false;
 	}
