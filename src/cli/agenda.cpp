@@ -5,15 +5,14 @@
 #include <optional>
 
 #include "cli/args.h"
+#include "cli/people.h"
 #include "core/agenda/agenda_generator.h"
 #include "core/io/agenda_csv.h"
 #include "core/io/atomic_file.h"
 #include "core/io/city_json.h"
-#include "core/io/household_csv.h"
 #include "core/io/population_csv.h"
 #include "core/io/rule_loader.h"
 #include "core/navigation/straight_line_paths.h"
-#include "core/population/population_generator.h"
 #include "core/sim/dialect.h"
 
 namespace pcg::cli {
@@ -24,10 +23,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-struct Request {
-	std::string rules, city, households, people, people_out, out;
-	uint32_t persons = 0;
-	uint64_t seed = 1;
+struct Request : PeopleRequest {
+	std::string rules, people_out, out;
 	uint32_t threads = 0;
 	std::optional<int> weekday;
 };
@@ -45,24 +42,11 @@ std::optional<int> weekday_of(const std::string &name) {
 Request read_request(Args &args) {
 	args.require_positional(1, 1, "a rule file");
 	Request request;
+	static_cast<PeopleRequest &>(request) = read_people_request(args);
 	request.rules = args.positional().empty() ? "" : args.positional()[0];
-	request.city = args.text("--city");
-	request.households = args.text("--households");
-	request.people = args.text("--population");
 	request.people_out = args.text("--save-population");
 	request.out = args.text("--out");
-	request.persons = uint32_t(args.whole("--persons", 0, 0, 100'000'000));
-	request.seed = uint64_t(args.whole("--seed", 1));
 	request.threads = uint32_t(args.whole("--threads", 0, 0, 1024));
-	if (request.city.empty()) {
-		args.problem("--city CITY.json is missing");
-	}
-	if (request.households.empty() == request.people.empty()) {
-		args.problem("give either --households TABLE.csv with --persons N, or --population PEOPLE.csv");
-	}
-	if (!request.households.empty() && !args.has("--persons")) {
-		args.problem("--households needs --persons N");
-	}
 	if (args.has("--day")) {
 		request.weekday = weekday_of(args.text("--day"));
 		if (!request.weekday) {
@@ -70,29 +54,6 @@ Request read_request(Args &args) {
 		}
 	}
 	return request;
-}
-
-// The people of the city, drawn or read; the numbers of a file are kept.
-bool make_people(const Request &request, const CityFile &city, PopulationFile &people, Diagnostics &diagnostics) {
-	if (!request.people.empty()) {
-		Result<PopulationFile> file = read_population(request.people, city.building_ids);
-		if (!file) {
-			diagnostics.add(file.diagnostic());
-			return false;
-		}
-		people = std::move(*file);
-		return true;
-	}
-	const Result<HouseholdTable> table = read_household_table(request.households);
-	if (!table) {
-		diagnostics.add(table.diagnostic());
-		return false;
-	}
-	PopulationOptions options;
-	options.seed = request.seed;
-	options.persons = request.persons;
-	people.population = generate_population(*table, city.city, options, diagnostics);
-	return !diagnostics.has_errors();
 }
 
 // Says how far it is once it has taken two seconds.
@@ -137,7 +98,7 @@ int generate(const Request &request) {
 	if (agendas.tasks.empty() && diagnostics.has_errors()) {
 		return finish(diagnostics);
 	}
-	const bool has_numbers = !request.people.empty();
+	const bool has_numbers = request.has_file_numbers();
 	const AgendaCsvIds ids{ has_numbers ? &people.household_ids : nullptr, has_numbers ? &people.person_ids : nullptr, &city->building_ids };
 	if (request.out.empty()) {
 		std::fputs(agendas_to_csv(agendas, people.population, *program, ids, request.weekday).c_str(), stdout);

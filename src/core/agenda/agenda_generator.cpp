@@ -80,7 +80,7 @@ private:
 	}
 
 	void run_household(Vm &vm, agenda::GenerationContext &context, HouseholdId id) {
-		const uint64_t seed = derive_seed(_options.seed ^ agenda_stream, index_of(id));
+		const uint64_t seed = household_seed(_options.seed, id);
 		context.begin_household(id);
 		vm.begin(seed);
 		vm.call(_start);
@@ -218,6 +218,8 @@ bool check_overrides(const Program &program, const AgendaOptions &options, Diagn
 }
 
 } // namespace
+
+uint64_t household_seed(uint64_t seed, HouseholdId id) { return derive_seed(seed ^ agenda_stream, index_of(id)); }
 
 AgendaSet generate_agendas(const Program &program, const CityModel &city, const PathProvider &paths, const Population &population,
 		const AgendaOptions &options, Diagnostics &diagnostics) {

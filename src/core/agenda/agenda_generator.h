@@ -6,6 +6,7 @@
 
 #include "core/agenda/agenda.h"
 #include "core/base/diagnostic.h"
+#include "core/base/ids.h"
 #include "core/base/parallel.h"
 #include "core/lang/program.h"
 #include "core/lang/vm.h"
@@ -28,6 +29,9 @@ struct AgendaOptions {
 	VmLimits limits{ 1000, 2'000'000, 32'768 }; // per household
 	WorkOptions work;
 };
+
+// Of the interpreter while it runs rules for a household, in both phases, so that attributes that draw keep their values.
+uint64_t household_seed(uint64_t seed, HouseholdId id);
 
 // Writes everybody's agenda: the start rule once for each household, nobody focused (paper, Algorithm 1). Households are independent and
 // draw from streams of (seed, household), so the result does not depend on the number of threads. A household whose rules fail keeps

@@ -2,6 +2,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/agenda/agenda_generator.h"
 #include "core/sim/simulation.h"
 
 namespace pcg {
@@ -17,8 +18,8 @@ constexpr float arm_length = 0.01f; // metres within which a person stands at it
 
 Behavior::Behavior(Simulation &simulation, const agenda::World &world, const SimulationSettings &settings)
 	: agenda::Context(world), _simulation(simulation), _seed(settings.seed), _vm(*world.program, *this, behavior_limits) {
-	for (const auto &[name, value] : settings.attributes) {
-		_vm.override_attribute(name, value);
+	for (const AttributeOverride &attribute : settings.overrides) {
+		_vm.override_attribute(attribute.name, attribute.value);
 	}
 }
 
@@ -27,7 +28,7 @@ RunState Behavior::begin(PersonId person, RuleId rule) {
 	_uses_on_arrival = false;
 	set_household(population().person(person).household);
 	set_focus(person);
-	_vm.begin(derive_seed(_seed, index_of(household_id())));
+	_vm.begin(household_seed(_seed, household_id()));
 	_random = Random(derive_seed(derive_seed(_seed, rule_stream), index_of(person)), uint64_t(_simulation.now().ms));
 	_vm.use_random(_random);
 	return _vm.call(rule);

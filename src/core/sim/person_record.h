@@ -36,7 +36,6 @@ struct PersonRecord {
 	uint32_t walk = none; // in the WalkPool
 	uint32_t behavior = none; // of the running rule
 	uint32_t party = none; // of the group walk that it takes part in; entries wait until that is over
-	uint32_t entry_target = none;
 	float first_metre = 0.0f; // of the walk, at the begin of the present span
 	uint16_t entry_task = PlannedEntry::hole;
 	PersonState state = PersonState::Inside;
@@ -51,8 +50,8 @@ struct PersonRecord {
 	// Called to a group walk and done with everything else: entries begin only after it.
 	bool is_in_group() const { return party != none; }
 	Target target() const { return { place_kind, place }; }
-	PlannedEntry entry() const { return { entry_start, entry_end, entry_target, entry_task, entry_kind }; }
+	bool is_in_hole() const { return entry_task == PlannedEntry::hole; }
 };
-static_assert(sizeof(PersonRecord) <= 112);
+static_assert(sizeof(PersonRecord) <= 96);
 
 } // namespace pcg

@@ -133,7 +133,7 @@ PersonView Simulation::view(PersonId id) const {
 	result.pose = person.pose;
 	result.position = person.position;
 	result.since = person.since;
-	result.entry = person.entry();
+	result.entry = entry_of(id);
 	if (person.is_in_group()) {
 		result.leader = _parties[person.party].leader;
 	}

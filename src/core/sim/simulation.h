@@ -4,13 +4,12 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
 #include "core/agenda/agenda.h"
+#include "core/agenda/agenda_generator.h"
 #include "core/base/diagnostic.h"
 #include "core/lang/program.h"
 #include "core/population/population.h"
@@ -36,7 +35,7 @@ struct World;
 struct SimulationSettings {
 	uint64_t seed = 1; // the one that the agendas were generated with, so that attributes keep their values
 	Duration patience = Duration::minutes(30); // how long members of a group wait for each other
-	std::vector<std::pair<std::string, Value>> attributes; // overrides, as given to the generation
+	std::vector<AttributeOverride> overrides; // as given to the generation
 	bool has_live_bodies = true; // false: AgentHost is never called
 };
 
@@ -163,6 +162,7 @@ private:
 
 	// simulation_tasks.cpp: entries of the agenda
 	BuildingId home_of(PersonId id) const { return _population.home_of(id); }
+	PlannedEntry entry_of(PersonId id) const;
 	void begin_entry(PersonId id);
 	void begin_stay(PersonId id, BuildingId building);
 	void begin_rule(PersonId id, RuleId rule, SimTime end);

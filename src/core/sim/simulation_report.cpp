@@ -37,7 +37,7 @@ void Simulation::close_span(PersonId id) {
 	span.state = person.state;
 	span.place = person.target();
 	span.position = position(id);
-	span.entry = person.entry();
+	span.entry = entry_of(id);
 	span.leader = person.is_in_group() ? _parties[person.party].leader : PersonId::Invalid;
 	if (person.walk != WalkPool::none) {
 		span.path = _walks[person.walk].points;

@@ -13,6 +13,12 @@ constexpr Duration lateness_allowed = Duration{ 1000 }; // walks and rule files 
 constexpr uint64_t slot_stream = 0x736C6F74; // keeps draws for floating slots apart from those of rules
 }
 
+PlannedEntry Simulation::entry_of(PersonId id) const {
+	const PersonRecord &person = record(id);
+	const uint32_t target = person.is_in_hole() ? PersonRecord::none : _agendas.tasks_of(id)[person.entry_task].target;
+	return { person.entry_start, person.entry_end, target, person.entry_task, person.entry_kind };
+}
+
 void Simulation::begin_entry(PersonId id) {
 	PersonRecord &person = record(id);
 	close_span(id);
@@ -22,7 +28,6 @@ void Simulation::begin_entry(PersonId id) {
 	const PlannedEntry entry = planned_entry_at(_agendas.tasks_of(id), _now);
 	person.entry_start = entry.start;
 	person.entry_end = entry.end;
-	person.entry_target = entry.target;
 	person.entry_task = entry.task;
 	person.entry_kind = entry.kind;
 	person.is_late_noted = false;
@@ -66,9 +71,9 @@ void Simulation::begin_stay(PersonId id, BuildingId building) {
 
 void Simulation::note_lateness(PersonId id) {
 	PersonRecord &person = record(id);
-	const bool is_there = person.state == PersonState::Inside && person.place == person.entry_target;
-	const bool counts = !person.entry().is_hole() && person.entry_kind == TaskKind::StayInside && !person.is_late_noted;
-	if (is_there && counts && _now > person.entry_start + lateness_allowed) {
+	const bool counts = !person.is_in_hole() && person.entry_kind == TaskKind::StayInside && !person.is_late_noted;
+	const bool is_there = counts && person.state == PersonState::Inside && person.place == entry_of(id).target;
+	if (is_there && _now > person.entry_start + lateness_allowed) {
 		person.is_late_noted = true;
 		_statistics.late_arrivals += _is_replaying ? 0 : 1;
 		emit(id, SimEventKind::ArrivedLate, person.target());

@@ -154,7 +154,6 @@ void Simulation::put_inside(PersonId id, SimTime time) {
 	person.since = time;
 	person.entry_start = entry.start;
 	person.entry_end = goes_on ? entry.end : time;
-	person.entry_target = entry.target;
 	person.entry_task = entry.task;
 	person.entry_kind = entry.kind;
 	schedule(id);

@@ -5,8 +5,12 @@
 #include <string>
 #include <vector>
 
+#include <doctest/doctest.h>
+
 #include "core/agenda/agenda.h"
+#include "core/io/rule_loader.h"
 #include "core/navigation/straight_line_paths.h"
+#include "core/sim/dialect.h"
 #include "core/sim/simulation.h"
 
 // A small town for tests of the simulation: straight lines, agendas written by hand, and a recorder of what happened.
@@ -87,6 +91,38 @@ struct Town {
 		}
 	}
 
+	ZoneId zone(std::string_view type, float x, float z, float size) {
+		Zone result;
+		result.type = city.types.add(type);
+		result.polygon = { { x, 0.0f, z }, { x, 0.0f, z + size }, { x + size, 0.0f, z + size }, { x + size, 0.0f, z } };
+		return city.add_zone(result);
+	}
+	ObjectId bench(float x, float z, int seats = 1) {
+		CityObject result;
+		result.type = city.types.add("bench");
+		result.position = { x, 0.0f, z };
+		for (int i = 0; i < seats; ++i) {
+			result.places.push_back({ { x + float(i), 0.0f, z }, { 0.0f, 0.0f, 1.0f } });
+		}
+		return city.add_object(result);
+	}
+	// The rules that delayed tasks and floating tasks name.
+	void rules(std::string text) {
+		MemorySourceProvider provider;
+		provider.add("day.pcg", "@StartRule Household --> " + text);
+		Diagnostics diagnostics;
+		program = load_program("day.pcg", pcg_dialect(), provider, diagnostics);
+		INFO(to_text(diagnostics));
+		REQUIRE(program != nullptr);
+	}
+	RuleId rule(std::string_view name) const { return program->find_rule(name); }
+	void delayed(PersonId id, int32_t start, int32_t end, std::string_view name) {
+		task(id, TaskKind::DelayedRule, start, end, index_of(rule(name)));
+	}
+	void floating(PersonId id, int32_t duration, std::string_view name, float priority = 0.0f) {
+		floating_tasks[index_of(id)].push_back({ rule(name), duration, priority, all_days });
+	}
+
 	// After all persons and tasks.
 	Simulation &simulate(SimulationSettings settings = {}) {
 		agendas = {};
@@ -122,7 +158,7 @@ public:
 		const std::string mark = " " + std::to_string(index_of(id)) + " ";
 		for (const std::string &line : lines) {
 			const size_t space = line.find(' ');
-			if (line.compare(space, mark.size(), mark) == 0 && line.find("task-started") == std::string::npos) {
+			if (line.compare(space, mark.size(), mark) == 0 && line.find(" task-started") == std::string::npos) {
 				result.push_back(line);
 			}
 		}

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "cli/args.h"
+#include "core/base/diagnostic.h"
+#include "core/io/city_json.h"
+#include "core/io/population_csv.h"
+
+namespace pcg::cli {
+
+// Which city and which people a command is about: --city, and --households with --persons or --population, and --seed.
+struct PeopleRequest {
+	std::string city, households, people;
+	uint32_t persons = 0;
+	uint64_t seed = 1;
+
+	bool has_file_numbers() const { return !people.empty(); } // persons and households have numbers of their own
+};
+
+PeopleRequest read_people_request(Args &args);
+
+// Drawn or read. False, with errors, if there is nobody.
+bool make_people(const PeopleRequest &request, const CityFile &city, PopulationFile &people, Diagnostics &diagnostics);
+
+} // namespace pcg::cli
