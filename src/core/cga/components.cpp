@@ -142,21 +142,13 @@ std::vector<ComponentInfo> vertices(const Geometry &geometry) {
 	return result;
 }
 
-void add_points(GeometryBuilder &builder, const Geometry &geometry, const GeometryFace &face, const Frame &frame) {
-	glm::dvec3 size(0.0);
-	std::vector<glm::dvec3> local;
+// Points closer than `flat` to the plane z = 0 are put into it: a plane face is exactly plane in its own scope.
+void add_points(GeometryBuilder &builder, const Geometry &geometry, const GeometryFace &face, const Frame &frame, double flat) {
 	for (uint32_t l = 0; l < face.loop_count; ++l) {
 		for (const glm::dvec3 &point : geometry.loop(face.first_loop + l)) {
-			local.push_back(frame.to_local(point));
-			size = glm::max(size, glm::abs(local.back()));
-		}
-	}
-	const double flat = 1e-9 * (size.x + size.y); // a plane face is exactly plane in its own scope
-	size_t at = 0;
-	for (uint32_t l = 0; l < face.loop_count; ++l) {
-		for (size_t i = geometry.loop(face.first_loop + l).size(); i > 0; --i, ++at) {
-			local[at].z = std::abs(local[at].z) <= flat ? 0.0 : local[at].z;
-			builder.add_point(local[at]);
+			glm::dvec3 local = frame.to_local(point);
+			local.z = std::abs(local.z) <= flat ? 0.0 : local.z;
+			builder.add_point(local);
 		}
 		builder.end_loop();
 	}
@@ -184,7 +176,7 @@ std::vector<ComponentInfo> components_of(const Geometry &geometry, ComponentKind
 	}
 }
 
-Shape face_shape(const Shape &parent, const Geometry &geometry, std::span<const uint32_t> faces, bool keeps_axes, Arena &arena) {
+Shape face_shape(const Shape &parent, const Geometry &geometry, std::span<const uint32_t> faces, bool keeps_axes, GeometryBuilder &builder, Arena &arena) {
 	const GeometryFace &first = geometry.faces[faces[0]];
 	const auto outline = geometry.outline(first);
 	Shape shape = parent;
@@ -193,9 +185,11 @@ Shape face_shape(const Shape &parent, const Geometry &geometry, std::span<const 
 		frame = { axes_from_z(face_normal(geometry, first), outline[1] - outline[0]), outline[0] };
 		set_pivot(shape, parent, frame, arena);
 	}
-	GeometryBuilder builder;
+	const glm::dvec3 extent = geometry.high - geometry.low;
+	const double flat = 1e-9 * (extent.x + extent.y + extent.z);
+	builder.clear();
 	for (const uint32_t face : faces) {
-		add_points(builder, geometry, geometry.faces[face], frame);
+		add_points(builder, geometry, geometry.faces[face], frame, flat);
 	}
 	set_geometry(shape, builder.finish(arena, false));
 	return shape;

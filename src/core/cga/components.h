@@ -25,7 +25,7 @@ std::vector<ComponentInfo> components_of(const Geometry &geometry, ComponentKind
 
 // The shape of faces (at least one): x along the first one's first edge, z its normal, the pivot at that edge's first point. With
 // `keeps_axes` the scope stays as it is turned.
-Shape face_shape(const Shape &parent, const Geometry &geometry, std::span<const uint32_t> faces, bool keeps_axes, Arena &arena);
+Shape face_shape(const Shape &parent, const Geometry &geometry, std::span<const uint32_t> faces, bool keeps_axes, GeometryBuilder &builder, Arena &arena);
 // The shape of an edge or a vertex: x along the edge, z as the component faces.
 Shape edge_shape(const Shape &parent, const ComponentInfo &info, Arena &arena);
 

@@ -24,8 +24,10 @@ void reverse_keeping_first_edge(Loop &loop) {
 
 class Extruder {
 public:
-	Extruder(const Geometry &geometry, ExtrudeDirection direction, double height, glm::dvec3 up, bool is_hollow)
-			: _geometry(geometry), _direction(direction), _height(height), _up(up), _is_hollow(is_hollow) {}
+	Extruder(const Geometry &geometry, ExtrudeDirection direction, double height, glm::dvec3 up, bool is_hollow, GeometryBuilder &builder)
+			: _geometry(geometry), _direction(direction), _height(height), _up(up), _is_hollow(is_hollow), _builder(builder) {
+		_builder.clear();
+	}
 
 	const Geometry *run(Arena &arena) {
 		for (uint32_t i = 0; i < _geometry.face_count; ++i) {
@@ -119,7 +121,7 @@ private:
 	double _height;
 	glm::dvec3 _up;
 	bool _is_hollow;
-	GeometryBuilder _builder;
+	GeometryBuilder &_builder;
 };
 
 // Of the triangles of the fan around the first point, weighted by their signed area. False: there is no area.
@@ -137,11 +139,11 @@ bool center_of_gravity(std::span<const glm::dvec3> loop, glm::dvec3 &center) {
 }
 
 // y to the direction of the extrusion, x as it was as far as it can.
-void turn_to(Shape &shape, glm::dvec3 direction, Arena &arena) {
+void turn_to(Shape &shape, glm::dvec3 direction, GeometryBuilder &builder, Arena &arena) {
 	const glm::dmat3 axes = axes_from_y(direction, glm::dvec3(1.0, 0.0, 0.0));
 	const bool is_turned = glm::distance(axes[0], { 1.0, 0.0, 0.0 }) > 1e-12 || glm::distance(axes[1], { 0.0, 1.0, 0.0 }) > 1e-12;
 	if (is_turned) {
-		turn_scope(shape, axes, arena);
+		turn_scope(shape, axes, builder, arena);
 	}
 }
 
@@ -156,7 +158,7 @@ void make_negative(Shape &shape, int axis) {
 
 } // namespace
 
-bool extrude(Shape &shape, ExtrudeDirection direction, double height, bool keeps_axes, Arena &arena) {
+bool extrude(Shape &shape, ExtrudeDirection direction, double height, bool keeps_axes, GeometryBuilder &builder, Arena &arena) {
 	const Geometry *geometry = baked(shape, arena);
 	if (geometry == nullptr) {
 		return false;
@@ -165,14 +167,14 @@ bool extrude(Shape &shape, ExtrudeDirection direction, double height, bool keeps
 		return true;
 	}
 	const glm::dvec3 up = glm::transpose(shape.frame().axes) * glm::dvec3(0.0, 1.0, 0.0);
-	const Geometry *result = Extruder(*geometry, direction, height, up, keeps_axes).run(arena);
+	const Geometry *result = Extruder(*geometry, direction, height, up, keeps_axes, builder).run(arena);
 	if (result == nullptr) {
 		return false;
 	}
 	const glm::dvec3 axis = direction == ExtrudeDirection::FaceNormal ? face_normal(*geometry, geometry->faces[0]) : up;
 	set_geometry(shape, result);
 	if (!keeps_axes) {
-		turn_to(shape, axis, arena);
+		turn_to(shape, axis, builder, arena);
 		if (height < 0.0) {
 			make_negative(shape, 1);
 		}
@@ -180,7 +182,7 @@ bool extrude(Shape &shape, ExtrudeDirection direction, double height, bool keeps
 	return true;
 }
 
-bool taper(Shape &shape, double height, Arena &arena) {
+bool taper(Shape &shape, double height, GeometryBuilder &builder, Arena &arena) {
 	const Geometry *geometry = baked(shape, arena);
 	glm::dvec3 center;
 	if (geometry == nullptr || geometry->point_count < 3 || !center_of_gravity(geometry->outline(geometry->faces[0]), center)) {
@@ -193,7 +195,7 @@ bool taper(Shape &shape, double height, Arena &arena) {
 	if (height < 0.0) {
 		reverse_keeping_first_edge(base);
 	}
-	GeometryBuilder builder;
+	builder.clear();
 	for (size_t i = 0; i < base.size(); ++i) {
 		builder.add_loop(Loop{ base[i], base[(i + 1) % base.size()], apex });
 		builder.end_face();
@@ -202,19 +204,19 @@ bool taper(Shape &shape, double height, Arena &arena) {
 	builder.add_loop(base);
 	builder.end_face();
 	set_geometry(shape, builder.finish(arena, true));
-	turn_to(shape, normal, arena);
+	turn_to(shape, normal, builder, arena);
 	if (height < 0.0) {
 		make_negative(shape, 1);
 	}
 	return true;
 }
 
-void reverse_normals(Shape &shape, Arena &arena) {
+void reverse_normals(Shape &shape, GeometryBuilder &builder, Arena &arena) {
 	if (shape.geometry == nullptr) {
 		return;
 	}
 	const Geometry &geometry = *shape.geometry;
-	GeometryBuilder builder;
+	builder.clear();
 	for (uint32_t f = 0; f < geometry.face_count; ++f) {
 		const GeometryFace &face = geometry.faces[f];
 		for (uint32_t i = 0; i < face.loop_count; ++i) {

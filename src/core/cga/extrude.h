@@ -11,12 +11,12 @@ enum class ExtrudeDirection : uint8_t { FaceNormal, WorldUp, WorldUpFlatTop };
 // plane are left out. `keeps_axes` is the reading of the paper's listings: the scope is not turned, and what a negative height hollows out
 // shows its inside (a door's recess is seen from the street). Otherwise y turns to the direction, and the scope's y is negative where
 // the height is. False: nothing was done, the direction lies in the face.
-bool extrude(Shape &shape, ExtrudeDirection direction, double height, bool keeps_axes, Arena &arena);
+bool extrude(Shape &shape, ExtrudeDirection direction, double height, bool keeps_axes, GeometryBuilder &builder, Arena &arena);
 
 // Triangles from the outline of the first face to a point `height` above its centre of gravity, closed by that face (op_taper).
-bool taper(Shape &shape, double height, Arena &arena);
+bool taper(Shape &shape, double height, GeometryBuilder &builder, Arena &arena);
 
 // All faces run the other way around; first edges stay first (op_reverseNormals).
-void reverse_normals(Shape &shape, Arena &arena);
+void reverse_normals(Shape &shape, GeometryBuilder &builder, Arena &arena);
 
 } // namespace pcg::cga

@@ -50,13 +50,13 @@ const Geometry *baked(const Shape &shape, Arena &arena) {
 	return result;
 }
 
-void turn_scope(Shape &shape, const glm::dmat3 &axes, Arena &arena) {
+void turn_scope(Shape &shape, const glm::dmat3 &axes, GeometryBuilder &builder, Arena &arena) {
 	shape.rotation = shape.rotation * axes;
 	if (shape.geometry == nullptr) {
 		return;
 	}
 	const glm::dmat3 inverse = glm::transpose(axes);
-	GeometryBuilder builder;
+	builder.clear();
 	for (uint32_t f = 0; f < shape.geometry->face_count; ++f) {
 		const GeometryFace &face = shape.geometry->faces[f];
 		for (uint32_t i = 0; i < face.loop_count; ++i) {

@@ -59,6 +59,6 @@ void refit(Shape &shape);
 // The geometry in scope coordinates, its mapping applied: for operations that look at every point. nullptr without geometry.
 const Geometry *baked(const Shape &shape, Arena &arena);
 // Turns the scope's axes without moving anything in the world: `axes` are the new axes in scope coordinates. The scope is refitted.
-void turn_scope(Shape &shape, const glm::dmat3 &axes, Arena &arena);
+void turn_scope(Shape &shape, const glm::dmat3 &axes, GeometryBuilder &builder, Arena &arena);
 
 } // namespace pcg::cga

@@ -62,7 +62,7 @@ private:
 	}
 
 	Shape shape_of(std::span<const uint32_t> components) {
-		return _kind == ComponentKind::Faces ? face_shape(_parent, *_geometry, components, _keeps_axes, _context.arena)
+		return _kind == ComponentKind::Faces ? face_shape(_parent, *_geometry, components, _keeps_axes, _context.builder, _context.arena)
 											 : edge_shape(_parent, _components[components[0]], _context.arena);
 	}
 
@@ -74,30 +74,30 @@ private:
 				mine.push_back(i);
 			}
 		}
-		if (mine.empty()) {
-			return Flow::Next;
+		if (entry.separator == BlockEntry::Separator::All && _kind == ComponentKind::Faces && !mine.empty()) {
+			return run_one(entry, mine, 0, 1);
 		}
-		std::vector<std::vector<uint32_t>> groups;
-		const bool is_one_each = entry.separator == BlockEntry::Separator::Each || _kind != ComponentKind::Faces;
-		if (is_one_each) {
-			for (const uint32_t component : mine) {
-				groups.push_back({ component });
+		if (entry.separator == BlockEntry::Separator::Connected && _kind == ComponentKind::Faces) {
+			const std::vector<std::vector<uint32_t>> groups = connected_groups(mine);
+			Flow flow = Flow::Next;
+			for (uint32_t i = 0; i < groups.size() && flow == Flow::Next; ++i) {
+				flow = run_one(entry, groups[i], i, uint32_t(groups.size()));
 			}
-		} else if (entry.separator == BlockEntry::Separator::All) {
-			groups.push_back(mine);
-		} else {
-			groups = connected_groups(mine);
+			return flow;
 		}
-		for (uint32_t i = 0; i < groups.size(); ++i) {
-			Shape child = shape_of(groups[i]);
-			child.comp_index = i;
-			child.comp_total = uint32_t(groups.size());
-			child.comp_selector = entry.word;
-			if (child.geometry != nullptr && _context.run_child(child, entry.body) != Flow::Next) {
-				return Flow::Stop;
-			}
+		Flow flow = Flow::Next;
+		for (uint32_t i = 0; i < mine.size() && flow == Flow::Next; ++i) {
+			flow = run_one(entry, std::span(mine).subspan(i, 1), i, uint32_t(mine.size()));
 		}
-		return Flow::Next;
+		return flow;
+	}
+
+	Flow run_one(const BlockEntry &entry, std::span<const uint32_t> components, uint32_t index, uint32_t total) {
+		Shape child = shape_of(components);
+		child.comp_index = index;
+		child.comp_total = total;
+		child.comp_selector = entry.word;
+		return child.geometry != nullptr ? _context.run_child(child, entry.body) : Flow::Next;
 	}
 
 	std::vector<std::vector<uint32_t>> connected_groups(const std::vector<uint32_t> &mine) {

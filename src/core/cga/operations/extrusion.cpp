@@ -9,7 +9,7 @@ namespace {
 
 Flow extrude_along(Context &context, ExtrudeDirection direction, const Value &height) {
 	const double metres = context.length(height, context.shape.size.y);
-	if (context.shape.geometry != nullptr && !extrude(context.shape, direction, metres, context.is_paper_rule(), context.arena)) {
+	if (context.shape.geometry != nullptr && !extrude(context.shape, direction, metres, context.is_paper_rule(), context.builder, context.arena)) {
 		context.vm.warn("cannot-extrude", "the face cannot be extruded in this direction: the direction lies in its plane");
 	}
 	return Flow::Next;
@@ -32,13 +32,13 @@ Flow extrude_typed(Vm &vm, const Args &args) {
 
 Flow taper_face(Vm &vm, const Args &args) {
 	Context &context = Context::of(vm);
-	taper(context.shape, context.length(args[0], context.shape.size.y), context.arena);
+	taper(context.shape, context.length(args[0], context.shape.size.y), context.builder, context.arena);
 	return Flow::Next;
 }
 
 Flow reverse(Vm &vm, const Args &) {
 	Context &context = Context::of(vm);
-	reverse_normals(context.shape, context.arena);
+	reverse_normals(context.shape, context.builder, context.arena);
 	return Flow::Next;
 }
 

@@ -70,7 +70,7 @@ Flow make_roof(Context &context, const RoofArgs &args, RoofMaker maker) {
 	const glm::dvec3 normal = face_normal(*geometry, geometry->faces[0]);
 	if (const Geometry *roof = builder.finish(context.arena, is_complete)) {
 		set_geometry(shape, roof);
-		turn_scope(shape, axes_from_y(normal, { 1.0, 0.0, 0.0 }), context.arena);
+		turn_scope(shape, axes_from_y(normal, { 1.0, 0.0, 0.0 }), context.builder, context.arena);
 	}
 	return Flow::Next;
 }

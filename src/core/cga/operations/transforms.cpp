@@ -87,7 +87,7 @@ Flow rotate_scope(Vm &vm, const Args &args) {
 	Context &context = Context::of(vm);
 	Shape &shape = context.shape;
 	const glm::dmat3 turned = rotation_from_euler(angles(context, args, 0)) * shape.rotation;
-	turn_scope(shape, glm::transpose(shape.rotation) * turned, context.arena);
+	turn_scope(shape, glm::transpose(shape.rotation) * turned, context.builder, context.arena);
 	return Flow::Next;
 }
 
@@ -126,7 +126,7 @@ Flow center(Vm &vm, const Args &args) {
 Flow align_scope_to_axes(Vm &vm, const Args &) {
 	Context &context = Context::of(vm);
 	Shape &shape = context.shape;
-	turn_scope(shape, glm::transpose(shape.frame().axes), context.arena);
+	turn_scope(shape, glm::transpose(shape.frame().axes), context.builder, context.arena);
 	shape.pivot = context.arena.make(Frame{ glm::dmat3(1.0), shape.frame().origin });
 	shape.position = glm::dvec3(0.0);
 	shape.rotation = glm::dmat3(1.0);
