@@ -12,6 +12,7 @@ namespace pcg::cli {
 
 extern const Command agenda_command;
 extern const Command check_command;
+extern const Command derive_command;
 extern const Command docs_command;
 
 namespace {
@@ -19,6 +20,7 @@ namespace {
 const Command *const commands[] = {
 	&agenda_command,
 	&check_command,
+	&derive_command,
 	&docs_command,
 };
 
