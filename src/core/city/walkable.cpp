@@ -1,6 +1,9 @@
 #include "core/city/walkable.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
 
 #include "core/navigation/reachability.h"
 
@@ -31,6 +34,22 @@ void add_polygon(NavRegion &region, const std::vector<glm::vec3> &polygon, float
 	}
 	region.polygons.push_back(std::move(indices));
 	region.costs.push_back(cost);
+}
+
+// Long strips are cut across into pieces of about this length: estimates of what lies ahead are better with short gaps.
+constexpr float piece_length = 20.0f;
+
+void add_ground(NavRegion &region, std::vector<glm::vec3> quad, float cost) {
+	const float length = glm::distance(quad[0], quad[1]);
+	if (length < glm::distance(quad[1], quad[2])) {
+		std::rotate(quad.begin(), quad.begin() + 1, quad.end());
+	}
+	const int pieces = std::max(1, int(std::round(glm::distance(quad[0], quad[1]) / piece_length)));
+	for (int i = 0; i < pieces; ++i) {
+		const float a = float(i) / float(pieces), b = float(i + 1) / float(pieces);
+		add_polygon(region, { glm::mix(quad[0], quad[1], a), glm::mix(quad[0], quad[1], b), glm::mix(quad[3], quad[2], b),
+									glm::mix(quad[3], quad[2], a) }, cost);
+	}
 }
 
 float cost_of(GroundKind kind, const GroundCosts &costs) {
@@ -68,7 +87,7 @@ BlockSource block_source_faces(const City &city, BlockId block, float border) {
 NavRegion city_nav_region(const City &city, const GroundCosts &costs) {
 	NavRegion region;
 	for (const Ground &ground : city.layout.ground) {
-		add_polygon(region, ground.polygon, cost_of(ground.kind, costs));
+		add_ground(region, ground.polygon, cost_of(ground.kind, costs));
 	}
 	for (const LotBuild &lot : city.lots) {
 		for (const std::vector<glm::vec3> &piece : lot.free_ground) {

@@ -15,7 +15,7 @@ constexpr uint32_t distance_bits = 24;
 constexpr uint32_t unreachable = (1u << distance_bits) - 1;
 constexpr uint64_t max_buildings = 1u << 20; // two fit into 40 bits
 constexpr uint64_t empty = ~0ull; // the key of the last building with itself, which nobody stores
-constexpr size_t ways = 2; // slots that a pair may be in
+constexpr size_t ways = 8; // slots that a pair may be in: as much as a line of the processor's cache
 
 uint32_t to_centimetres(double metres) {
 	const double centimetres = std::floor(metres * 100.0 + 0.5);
@@ -26,10 +26,11 @@ double to_metres(uint32_t centimetres) {
 	return centimetres == unreachable ? std::numeric_limits<double>::infinity() : double(centimetres) / 100.0;
 }
 
+// Room for twice all pairs of a small city; for a large one as much as a building may take.
 size_t slot_count(size_t buildings) {
 	const size_t pairs = buildings * (buildings - (buildings > 0)) / 2;
-	const size_t wanted = std::min({ pairs * 2, buildings * 64, size_t(4) << 20 });
-	return std::min(std::bit_ceil(std::max<size_t>(wanted, 16)), size_t(8) << 20);
+	const size_t wanted = std::min({ pairs * 2, std::max<size_t>(buildings * 128, 1 << 17), size_t(8) << 20 });
+	return std::bit_ceil(std::max<size_t>(wanted, 16));
 }
 
 } // namespace
@@ -61,12 +62,16 @@ void DistanceCache::store(BuildingId a, BuildingId b, double metres) {
 	if (key == empty) {
 		return;
 	}
-	std::atomic<Word> *slot = &_slots[first_slot(key)];
-	const Word older = slot->load(std::memory_order_relaxed);
-	if (older != empty && older >> distance_bits != key) {
-		slot[1].store(older, std::memory_order_relaxed);
+	// The newest comes first, older ones move up until a free slot or the pair's own old one ends that.
+	std::atomic<Word> *slots = &_slots[first_slot(key)];
+	Word word = key << distance_bits | to_centimetres(metres);
+	for (size_t i = 0; i < ways; ++i) {
+		const Word older = slots[i].exchange(word, std::memory_order_relaxed);
+		if (older == empty || older >> distance_bits == key) {
+			return;
+		}
+		word = older;
 	}
-	slot->store(key << distance_bits | to_centimetres(metres), std::memory_order_relaxed);
 }
 
 void DistanceCache::clear() {

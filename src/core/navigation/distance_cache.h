@@ -15,7 +15,7 @@ namespace pcg {
 
 class DistanceCache {
 public:
-	// At most 1 KiB a building and 64 MiB in all.
+	// At most 2 KiB a building (1 MiB for small cities) and 64 MiB in all.
 	explicit DistanceCache(size_t building_count);
 
 	// The order of the two does not matter.

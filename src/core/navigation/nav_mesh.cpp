@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/navigation/landmarks.h"
 #include "core/navigation/nav_links.h"
 
 namespace pcg {
@@ -85,6 +86,7 @@ NavMesh NavMesh::build(std::span<const NavRegion> regions, const NavMeshOptions 
 	mesh.sort_links();
 	mesh.find_components();
 	mesh.fill_grid();
+	mesh._landmarks = std::make_shared<Landmarks>(mesh);
 	return mesh;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -42,6 +43,8 @@ struct NavPoint {
 	bool is_on_mesh() const { return polygon != no_polygon; }
 };
 
+class Landmarks;
+
 class NavMesh {
 public:
 	NavMesh() = default;
@@ -61,6 +64,8 @@ public:
 	uint32_t component(uint32_t polygon) const { return _components[polygon]; }
 	size_t component_count() const { return _component_areas.size(); }
 	double component_area(uint32_t component) const { return _component_areas[component]; } // square metres
+
+	const Landmarks &landmarks() const { return *_landmarks; } // of a built mesh
 
 	// The point of the mesh nearest to `point`, at most `reach` metres away.
 	NavPoint nearest(glm::vec3 point, float reach) const;
@@ -83,6 +88,7 @@ private:
 	std::vector<uint32_t> _first_link; // one more than polygons
 	std::vector<uint32_t> _components;
 	std::vector<double> _component_areas;
+	std::shared_ptr<const Landmarks> _landmarks;
 
 	// Polygons by the cells of a grid over the plan.
 	glm::vec3 _min{ 0.0f }, _max{ 0.0f };

@@ -61,6 +61,7 @@ void PathFinder::start() {
 }
 
 bool PathFinder::search(const NavPoint &from, const NavPoint &to) {
+	_goal_costs = _mesh->landmarks().of_point(*_mesh, to);
 	expand(from.polygon, no_link, from.position, 0.0f, to);
 	while (!_open.empty()) {
 		std::pop_heap(_open.begin(), _open.end());
@@ -69,10 +70,11 @@ bool PathFinder::search(const NavPoint &from, const NavPoint &to) {
 		if (open.link == no_link) {
 			return true;
 		}
-		const Node &node = _nodes[open.link];
-		if (open.cost > node.cost) {
+		Node &node = _nodes[open.link];
+		if (node.is_closed) {
 			continue; // a better way here was found in the meantime
 		}
+		node.is_closed = true;
 		const uint32_t polygon = _mesh->links()[open.link].target;
 		if (polygon == to.polygon) {
 			const float cost = node.cost + _mesh->cost(polygon) * glm::distance(node.point, to.position);
@@ -100,11 +102,13 @@ void PathFinder::expand(uint32_t polygon, uint32_t from_link, glm::vec3 point, f
 		const glm::vec3 next = pass(links[i], point, to.position);
 		const float next_cost = cost + ground * glm::distance(point, next);
 		Node &node = _nodes[i];
-		if (node.search == _search && node.cost <= next_cost) {
+		if (node.search == _search && (node.is_closed || node.cost <= next_cost)) {
 			continue;
 		}
-		node = { next_cost, from_link, _search, next };
-		push({ next_cost + least * glm::distance(next, to.position), next_cost, i });
+		node = { next_cost, from_link, _search, false, next };
+		const float crow = least * glm::distance(next, to.position);
+		const float known = Landmarks::estimate(_mesh->landmarks().of_link(i), _goal_costs);
+		push({ next_cost + std::max(crow, known), next_cost, i });
 	}
 }
 

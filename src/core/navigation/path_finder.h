@@ -4,9 +4,11 @@
 #include <span>
 #include <vector>
 
+#include "core/navigation/landmarks.h"
 #include "core/navigation/nav_mesh.h"
 
-// Shortest walks on a NavMesh: A* from gap to gap, then the string through the corridor is pulled tight. The memory of a search is kept for the next
+// Short walks on a NavMesh: A* from gap to gap, led by landmarks, then the string through the corridor is pulled tight. They are about 1 % longer
+// than the shortest possible. The memory of a search is kept for the next
 // one, so use one finder for each thread. The mesh must outlive it.
 namespace pcg {
 
@@ -25,6 +27,7 @@ private:
 		float cost = 0.0f; // so far, to `point`
 		uint32_t previous = 0; // link; no_link at the start
 		uint32_t search = 0; // the node counts only if this is the number of the running search
+		bool is_closed = false; // ways go on from here: neither cost nor point may change
 		glm::vec3 point{ 0.0f }; // where the gap was passed
 	};
 	struct Open {
@@ -47,6 +50,7 @@ private:
 	std::vector<Node> _nodes; // by link
 	std::vector<Open> _open; // a heap
 	uint32_t _search = 0;
+	Landmarks::Costs _goal_costs;
 	uint32_t _goal_link = no_link; // best way into the goal so far
 	float _goal_cost = 0.0f;
 	std::vector<uint32_t> _corridor; // links

@@ -1,0 +1,120 @@
+// How fast a city is made and walked in. Prints one JSON object a figure.
+#include <cstdio>
+#include <ctime>
+#include <optional>
+
+#include "core/base/random.h"
+#include "core/cga/dialect.h"
+#include "core/city/city_generator.h"
+#include "core/city/walkable.h"
+#include "core/io/rule_loader.h"
+#include "core/navigation/nav_mesh_paths.h"
+
+using namespace pcg;
+
+namespace {
+
+constexpr std::string_view house_rules = R"(
+@StartRule
+Lot --> split(z) { 3: NIL | ~1: Middle | 3: NIL }
+Middle --> split(x) { 2: NIL | ~1: House | 2: NIL }
+House --> extrude(5) comp(f) { front: Facade | all: Wall. }
+Facade --> [ t('0.5, 0, 0) entrance("house", 4) ] Wall.
+)";
+
+// Of processor time: all of this runs on one thread, whatever else the machine does.
+double seconds_of(const auto &work) {
+	const std::clock_t start = std::clock();
+	work();
+	return double(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+// `peer_value` 0: nothing to compare with.
+void print(const char *name, double value, const char *unit, const char *peer, double peer_value) {
+	std::printf("{\"name\": \"%s\", \"value\": %.4g, \"unit\": \"%s\", \"peer\": \"%s\", \"ratio\": ", name, value, unit, peer);
+	if (peer_value > 0.0) {
+		std::printf("%.3g}\n", value / peer_value);
+	} else {
+		std::printf("null}\n");
+	}
+}
+
+std::optional<City> make_city(uint32_t lots, Diagnostics &diagnostics) {
+	MemorySourceProvider sources;
+	sources.add("house.cga", std::string(house_rules));
+	const RulesByType rules = { { "", { load_program("house.cga", cga::cga_dialect(), sources, diagnostics), {}, {} } } };
+	CityOptions options;
+	options.work.threads = 1;
+	return generate_city(*make_layout(layout_for_lots(lots), diagnostics), rules, options, diagnostics);
+}
+
+void measure_queries(const City &city, const NavMesh &mesh) {
+	constexpr int queries = 20000;
+	PathFinder finder(mesh);
+	Random random(1);
+	std::vector<NavPoint> ends;
+	for (int i = 0; i < 2 * queries; ++i) {
+		ends.push_back(mesh.nearest(city.model.entrances()[random.index(city.model.entrances().size())].position, 2.0f));
+	}
+	double metres = 0.0;
+	const double seconds = seconds_of([&] {
+		for (int i = 0; i < queries; ++i) {
+			metres += finder.find(ends[size_t(2 * i)], ends[size_t(2 * i + 1)]) ? finder.length() : 0.0;
+		}
+	});
+	print("path query, 300 lots", seconds / queries * 1e6, "us", "Detour, 36.1 us for paths of 240 m on 300 lots", 36.1);
+	print("length of those paths", metres / queries, "m", "Detour's pairs, 240 m", 240.0);
+}
+
+void measure_distances(const City &city, const NavMesh &mesh) {
+	const uint32_t count = uint32_t(city.model.buildings().size());
+	const NavMeshPaths paths(city.model, mesh);
+	double sum = 0.0;
+	const auto ask_all = [&] {
+		for (uint32_t a = 0; a < count; ++a) {
+			for (uint32_t b = 0; b < a; ++b) {
+				sum += paths.distance(BuildingId(a), BuildingId(b));
+			}
+		}
+	};
+	const double pairs = count * (count - 1) / 2.0;
+	print("learning all distances, 300 buildings", seconds_of(ask_all), "s", "Detour, 45,000 pairs at 36.1 us", pairs * 36.1e-6);
+	print("known distance", seconds_of(ask_all) / pairs * 1e9, "ns", "", 0.0);
+}
+
+void measure_large(Diagnostics &diagnostics) {
+	std::optional<City> city;
+	print("10,000 lots generated, one thread", seconds_of([&] { city = make_city(10'000, diagnostics); }), "s", "", 0.0);
+	NavMesh mesh;
+	print("mesh of 10,000 lots joined", seconds_of([&] { mesh = city_nav_mesh(*city); }), "s", "", 0.0);
+	const NavMeshPaths paths(city->model, mesh);
+	const size_t count = city->model.buildings().size();
+	Random random(2);
+	constexpr int queries = 2000;
+	const double seconds = seconds_of([&] {
+		for (int i = 0; i < queries; ++i) {
+			(void)paths.distance(BuildingId(random.index(count)), BuildingId(random.index(count)));
+		}
+	});
+	print("distance never asked before, 10,000 lots", seconds / queries * 1e6, "us", "", 0.0);
+}
+
+} // namespace
+
+int main() {
+	Diagnostics diagnostics;
+	std::optional<City> city;
+	const double seconds = seconds_of([&] { city = make_city(300, diagnostics); });
+	if (!city || diagnostics.has_errors()) {
+		std::fputs(to_text(diagnostics).c_str(), stderr);
+		return 1;
+	}
+	print("300 box lots generated, one thread", seconds, "s", "budget for 300 lots, 0.5 s", 0.5);
+	NavMesh mesh;
+	const double mesh_seconds = seconds_of([&] { mesh = city_nav_mesh(*city); });
+	print("walking mesh of 300 lots", mesh_seconds * 1e3, "ms", "Recast at cells of 0.5 m, 329 ms", 329.0);
+	measure_queries(*city, mesh);
+	measure_distances(*city, mesh);
+	measure_large(diagnostics);
+	return 0;
+}
