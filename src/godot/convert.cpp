@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <godot_cpp/core/error_macros.hpp>
+
 using namespace godot;
 
 namespace pcg {
@@ -68,6 +70,28 @@ TypedArray<Dictionary> to_godot(const Diagnostics &diagnostics) {
 	TypedArray<Dictionary> result;
 	for (const Diagnostic &diagnostic : diagnostics.list()) {
 		result.push_back(to_godot(diagnostic));
+	}
+	return result;
+}
+
+std::vector<std::pair<std::string, cga::InitialShape::AttributeValue>> from_godot(const Dictionary &attributes) {
+	std::vector<std::pair<std::string, cga::InitialShape::AttributeValue>> result;
+	const Array names = attributes.keys();
+	for (int64_t i = 0; i < names.size(); ++i) {
+		const String name = names[i];
+		const Variant value = attributes[names[i]];
+		switch (value.get_type()) {
+			case Variant::BOOL: result.emplace_back(from_godot(name), bool(value)); break;
+			case Variant::INT:
+			case Variant::FLOAT: result.emplace_back(from_godot(name), double(value)); break;
+			case Variant::STRING:
+			case Variant::STRING_NAME: {
+				const String text = value;
+				result.emplace_back(from_godot(name), from_godot(text));
+				break;
+			}
+			default: ERR_PRINT("PCG: attribute \"" + name + "\" must be a number, true or false, or text."); break;
+		}
 	}
 	return result;
 }

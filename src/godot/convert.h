@@ -3,12 +3,17 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <godot_cpp/classes/array_mesh.hpp>
+#include <godot_cpp/classes/material.hpp>
+#include <godot_cpp/classes/navigation_mesh.hpp>
+#include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/variant/color.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
@@ -20,6 +25,10 @@
 #include <godot_cpp/variant/vector3.hpp>
 
 #include "core/base/diagnostic.h"
+#include "core/cga/derivation.h"
+#include "core/figure/figure.h"
+#include "core/geometry/mesh.h"
+#include "core/navigation/nav_mesh.h"
 
 // The only place that knows both worlds. Core and engine agree on metres, y up, right-handed axes and -z as north, so vectors are copied
 // as they are; text is UTF-8 in the core; what differs (winding of triangles) is said at the function.
@@ -45,9 +54,21 @@ std::vector<glm::vec3> from_godot(const godot::PackedVector3Array &points);
 godot::Dictionary to_godot(const Diagnostic &diagnostic);
 godot::TypedArray<godot::Dictionary> to_godot(const Diagnostics &diagnostics);
 
+// Attribute overrides by name: numbers, true or false, text. Other values are left out, with an error that names them.
+std::vector<std::pair<std::string, cga::InitialShape::AttributeValue>> from_godot(const godot::Dictionary &attributes);
+
 // A frame that stands at `position` and whose local +z (the front of Godot's models) looks along the horizontal part of `facing`.
 godot::Transform3D to_godot(glm::vec3 position, glm::vec3 facing);
 // The direction that such a frame looks along; unit length.
 glm::vec3 facing_of(const godot::Transform3D &transform);
+
+// The engine's front faces run clockwise, the core's counter-clockwise. All colours of opaque materials go to the vertices of one surface, so that a lot costs one draw call; see-through ones share a second.
+// `opaque` and `transparent` are set on them. Null if there is nothing to draw.
+godot::Ref<godot::ArrayMesh> to_godot(const Mesh &mesh, const std::vector<Material> &materials, const godot::Ref<godot::Material> &opaque,
+		const godot::Ref<godot::Material> &transparent);
+// What the engine baked, for the core to find ways on.
+NavRegion from_godot(const godot::Ref<godot::NavigationMesh> &mesh);
+// With what figure.gdshader wants in UV and UV2.
+godot::Ref<godot::ArrayMesh> to_godot(const Figure &figure);
 
 } // namespace pcg

@@ -63,14 +63,14 @@ float cost_of(GroundKind kind, const GroundCosts &costs) {
 
 } // namespace
 
-BlockSource block_source_faces(const City &city, BlockId block, float border) {
+BlockSource block_source_faces(const City &city, BlockId block, float border, bool has_carriageways) {
 	BlockSource source;
 	const CityBlock &cell = city.layout.block(block);
 	source.min = cell.cell_min;
 	source.max = cell.cell_max;
 	const glm::vec3 min = source.min - glm::vec3(border), max = source.max + glm::vec3(border);
 	for (const Ground &ground : city.layout.ground) {
-		if (is_near(ground.polygon, min, max)) {
+		if ((has_carriageways || ground.kind != GroundKind::Street) && is_near(ground.polygon, min, max)) {
 			add_fan(source.triangles, ground.polygon);
 		}
 	}

@@ -15,8 +15,9 @@ struct BlockSource {
 	glm::vec3 min{ 0.0f }, max{ 0.0f }; // what the baked region must cover: the block's cell. Cells meet without gaps
 };
 
-// All ground within `border` metres around the block's cell is included, so that the baker's own margin does not eat into the cell.
-BlockSource block_source_faces(const City &city, BlockId block, float border);
+// All ground within `border` metres around the block's cell is included, so that the baker's own margin does not eat into the cell. Without
+// carriageways people keep to pavements and cross at crossings, which join all blocks.
+BlockSource block_source_faces(const City &city, BlockId block, float border, bool has_carriageways = true);
 
 // What a metre costs on each kind of ground, for those who choose their way. The cheapest is 1.
 struct GroundCosts {

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/random.h"
+#include "core/population/names.h"
 
 namespace pcg {
 
@@ -15,10 +16,8 @@ constexpr float adult_age = 15.0f; // from here on a body has an adult's size
 constexpr float elder_age = 65.0f;
 constexpr float widest_step_aside = 0.45f; // metres
 
-// Clothes that one sees in a street: muted, with a few bright ones. sRGB.
-constexpr glm::vec3 clothes[] = { { 0.16f, 0.20f, 0.30f }, { 0.52f, 0.54f, 0.56f }, { 0.78f, 0.74f, 0.66f }, { 0.62f, 0.16f, 0.15f },
-	{ 0.20f, 0.38f, 0.27f }, { 0.86f, 0.62f, 0.18f }, { 0.24f, 0.46f, 0.66f }, { 0.40f, 0.26f, 0.18f }, { 0.90f, 0.88f, 0.84f },
-	{ 0.47f, 0.27f, 0.46f }, { 0.12f, 0.12f, 0.13f }, { 0.80f, 0.42f, 0.34f } };
+// The shader's tone for each of hair_colors(); its last two are the gray and white of the old.
+constexpr uint8_t hair_tones[] = { 0, 1, 2, 3, 4, 5, 6 };
 
 // The same for one person always; -0.45 .. 0.45 m to the left of the way.
 float step_aside(PersonId person) {
@@ -32,9 +31,10 @@ Looks looks_of(const Population &population, PersonId id) {
 	const FigureAge age = person.age < adult_age ? FigureAge::Child : (person.age < elder_age ? FigureAge::Adult : FigureAge::Elder);
 	Looks looks;
 	looks.kind = uint8_t((person.gender == Gender::Woman ? 3 : 0) + int(age));
-	looks.hair = age == FigureAge::Elder ? uint8_t(6 + index_of(id) % 2) : uint8_t(population.household(person.household).hair_color % 6);
+	looks.hair = age == FigureAge::Elder ? uint8_t(6 + index_of(id) % 2) : hair_tones[population.household(person.household).hair_color % std::size(hair_tones)];
 	looks.skin = uint8_t(mix64(index_of(person.household)) % 8);
-	looks.top = clothes[person.clothes_color % std::size(clothes)];
+	const NamedColor &top = clothes_colors()[person.clothes_color % clothes_colors().size()];
+	looks.top = glm::vec3(top.red, top.green, top.blue) / 255.0f;
 	return looks;
 }
 

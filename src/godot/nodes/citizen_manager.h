@@ -1,0 +1,128 @@
+#pragma once
+
+#include <memory>
+
+#include <godot_cpp/classes/node.hpp>
+#include <godot_cpp/classes/ref.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
+#include <godot_cpp/variant/packed_int32_array.hpp>
+#include <godot_cpp/variant/packed_string_array.hpp>
+#include <godot_cpp/variant/string.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+#include <godot_cpp/variant/vector3.hpp>
+
+#include "core/base/diagnostic.h"
+#include "core/base/sim_time.h"
+#include "godot/nodes/citizen_life.h"
+#include "godot/resources/pcg_household_table.h"
+#include "godot/resources/pcg_rule_set.h"
+
+namespace pcg {
+
+class PCGAgentView;
+class PCGCity;
+
+// Fills a city with people and lives their days: households from a table, agendas from rules, a clock, and bodies for those outdoors.
+class CitizenManager : public godot::Node {
+	GDCLASS(CitizenManager, godot::Node)
+
+public:
+	CitizenManager();
+	~CitizenManager() override;
+
+	void set_city(PCGCity *p_city);
+	PCGCity *get_city() const;
+	void set_rules(const godot::Ref<PCGRuleSet> &p_rules);
+	godot::Ref<PCGRuleSet> get_rules() const { return _rules; }
+	void set_start_rule(const godot::String &p_rule) { _start_rule = p_rule; }
+	godot::String get_start_rule() const { return _start_rule; }
+	void set_household_table(const godot::Ref<PCGHouseholdTable> &p_table);
+	godot::Ref<PCGHouseholdTable> get_household_table() const { return _table; }
+	void set_person_count(int p_count);
+	int get_person_count() const { return _person_count; }
+	void set_home_type(const godot::String &p_type) { _home_type = p_type; }
+	godot::String get_home_type() const { return _home_type; }
+	void set_seed(int64_t p_seed) { _seed = p_seed; }
+	int64_t get_seed() const { return _seed; }
+	void set_auto_start(bool p_enabled) { _auto_start = p_enabled; }
+	bool get_auto_start() const { return _auto_start; }
+	void set_check_promises(bool p_enabled) { _check_promises = p_enabled; }
+	bool get_check_promises() const { return _check_promises; }
+	void set_record_lives(bool p_enabled) { _record_lives = p_enabled; }
+	bool get_record_lives() const { return _record_lives; }
+
+	// The clock. Before start() it says when life begins; afterwards it is the present, and setting it jumps.
+	void set_day(int p_day);
+	int get_day() const;
+	void set_time(double p_seconds);
+	double get_time() const;
+	godot::String get_clock_text() const;
+	void set_time_scale(double p_scale);
+	double get_time_scale() const { return _time_scale; }
+	void set_paused(bool p_paused) { _is_paused = p_paused; }
+	bool is_paused() const { return _is_paused; }
+
+	bool generate_population();
+	bool start();
+	void stop();
+	bool is_running() const { return _life && _life->simulation; }
+	void advance(double p_seconds);
+	void jump_to(int p_day, double p_seconds);
+
+	// citizen_manager_queries.cpp
+	godot::Dictionary get_person(int p_person) const;
+	godot::TypedArray<godot::Dictionary> get_agenda(int p_person) const;
+	godot::PackedInt32Array get_persons_outside() const;
+	godot::PackedInt32Array get_persons_inside(int p_building) const;
+	godot::Dictionary get_statistics() const;
+	godot::Dictionary get_broken_promises() const;
+	godot::PackedStringArray get_broken_promise_examples() const;
+	godot::TypedArray<godot::Dictionary> get_diagnostics() const;
+	int choose_household() const;
+	godot::PackedStringArray tell_day(int p_household, int p_day) const;
+	godot::Error save_heat_map(const godot::String &p_path) const;
+	godot::Error save_lives(const godot::String &p_path) const;
+	PCGAgentView *get_agent_view() const { return _view; }
+
+	void _ready() override;
+	void _process(double p_delta) override;
+	godot::PackedStringArray _get_configuration_warnings() const override;
+
+protected:
+	static void _bind_methods();
+	void _notification(int p_what);
+
+private:
+	static void bind_properties();
+	static void bind_queries();
+	bool check_inputs(Diagnostics &diagnostics) const;
+	bool has_person(int p_person) const;
+	void open_view();
+	void listen();
+	void tell_notices();
+	void tell_broken_promises();
+	void flush_lives() const;
+	void on_city_generated();
+
+	uint64_t _city_id = 0; // of the PCGCity; 0 = none
+	godot::Ref<PCGRuleSet> _rules;
+	godot::String _start_rule;
+	godot::Ref<PCGHouseholdTable> _table;
+	int _person_count = 600;
+	godot::String _home_type = "house";
+	int64_t _seed = 1;
+	bool _auto_start = false;
+	bool _check_promises = false;
+	bool _record_lives = false;
+	SimTime _begin = SimTime::at(0, Duration::hours(0));
+	double _time_scale = 60.0;
+	bool _is_paused = false;
+
+	Diagnostics _diagnostics;
+	std::unique_ptr<CitizenLife> _life; // from generate_population() on
+	PCGAgentView *_view = nullptr; // a child, from the first start() on
+	double _owed_seconds = 0.0; // of simulated time, below the clock's millisecond
+	uint64_t _told_breaks = 0;
+};
+
+} // namespace pcg

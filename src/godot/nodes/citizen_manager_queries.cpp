@@ -1,0 +1,210 @@
+#include <godot_cpp/classes/project_settings.hpp>
+#include <godot_cpp/core/error_macros.hpp>
+
+#include "core/io/png.h"
+#include "core/io/trace_csv.h"
+#include "core/population/names.h"
+#include "core/sim/day_story.h"
+#include "core/sim/heat_map_image.h"
+#include "godot/convert.h"
+#include "godot/nodes/citizen_manager.h"
+#include "godot/nodes/pcg_agent_view.h"
+#include "godot/nodes/pcg_city.h"
+#include "godot/report.h"
+
+using namespace godot;
+
+namespace pcg {
+
+namespace {
+
+String to_system_path(const String &path) { return ProjectSettings::get_singleton()->globalize_path(path); }
+
+Dictionary to_dictionary(const Target &place) {
+	static constexpr const char *kinds[] = { "", "building", "zone", "object", "person" };
+	Dictionary result;
+	result["kind"] = kinds[size_t(place.kind)];
+	result["id"] = place.is_none() ? int64_t(-1) : int64_t(place.index);
+	return result;
+}
+
+PackedInt32Array to_ids(const std::vector<PersonId> &persons) {
+	PackedInt32Array result;
+	for (const PersonId person : persons) {
+		result.push_back(int32_t(index_of(person)));
+	}
+	return result;
+}
+
+void add_state(Dictionary &result, const PersonView &view, const Transform3D &frame) {
+	result["state"] = to_godot(state_name(view.state));
+	result["place"] = to_dictionary(view.place);
+	result["position"] = frame.xform(to_godot(view.position));
+	result["since"] = view.since.in_seconds();
+	if (view.state == PersonState::Walking) {
+		result["arrival"] = view.arrival.in_seconds();
+	}
+	result["leader"] = int64_t(to_number(view.leader));
+}
+
+Transform3D frame_of(const PCGCity *city) {
+	return city && city->is_inside_tree() ? city->get_global_transform() : Transform3D();
+}
+
+PackedStringArray day_names(DayMask days) {
+	static constexpr const char *names[] = { "mon", "tue", "wed", "thu", "fri", "sat", "sun" };
+	PackedStringArray result;
+	for (int day = 0; day < 7; ++day) {
+		if (days & (1 << day)) {
+			result.push_back(names[day]);
+		}
+	}
+	return result;
+}
+
+} // namespace
+
+bool CitizenManager::has_person(int p_person) const {
+	return _life && p_person >= 0 && size_t(p_person) < _life->population.persons.size();
+}
+
+Dictionary CitizenManager::get_person(int p_person) const {
+	ERR_FAIL_COND_V_MSG(!has_person(p_person), Dictionary(),
+			"CitizenManager: there is no such person. Persons are numbered from 0; get_statistics() has their number.");
+	const PersonId id = PersonId(p_person);
+	const Person &person = _life->population.person(id);
+	Dictionary result;
+	result["id"] = p_person;
+	result["name"] = to_godot(std::string_view(full_name(_life->population, id)));
+	result["age"] = int64_t(person.age);
+	result["gender"] = person.gender == Gender::Woman ? "woman" : "man";
+	result["household"] = int64_t(to_number(person.household));
+	result["home"] = int64_t(to_number(_life->population.home_of(id)));
+	result["walking_speed"] = person.walking_speed;
+	if (is_running()) {
+		add_state(result, _life->simulation->view(id), frame_of(get_city()));
+	}
+	return result;
+}
+
+TypedArray<Dictionary> CitizenManager::get_agenda(int p_person) const {
+	TypedArray<Dictionary> result;
+	ERR_FAIL_COND_V_MSG(!has_person(p_person), result,
+			"CitizenManager: there is no such person. Persons are numbered from 0; get_statistics() has their number.");
+	for (const Task &task : _life->agendas.tasks_of(PersonId(p_person))) {
+		Dictionary entry;
+		entry["kind"] = to_godot(task_kind_name(task.kind));
+		entry["start"] = task.start().in_seconds();
+		entry["end"] = task.end().in_seconds();
+		entry["target"] = task.target == 0xFFFFFFFF ? int64_t(-1) : int64_t(task.target);
+		entry["days"] = day_names(task.days);
+		if (task.origin < _life->agendas.origins.size()) {
+			const TaskOrigin &origin = _life->agendas.origins[task.origin];
+			entry["rule"] = to_godot(std::string_view(origin.rule));
+			entry["file"] = to_godot(std::string_view(origin.file));
+			entry["line"] = origin.line;
+		}
+		result.push_back(entry);
+	}
+	return result;
+}
+
+PackedInt32Array CitizenManager::get_persons_outside() const {
+	return is_running() ? to_ids(_life->simulation->persons_outside()) : PackedInt32Array();
+}
+
+PackedInt32Array CitizenManager::get_persons_inside(int p_building) const {
+	const bool is_building = is_running() && p_building >= 0 && size_t(p_building) < _life->city->city.model.buildings().size();
+	return is_building ? to_ids(_life->simulation->persons_inside(BuildingId(p_building))) : PackedInt32Array();
+}
+
+Dictionary CitizenManager::get_statistics() const {
+	Dictionary result;
+	result["persons"] = _life ? int64_t(_life->population.persons.size()) : 0;
+	result["households"] = _life ? int64_t(_life->population.households.size()) : 0;
+	result["agenda_entries"] = _life ? int64_t(_life->agendas.tasks.size()) : 0;
+	if (!is_running()) {
+		return result;
+	}
+	const SimulationStatistics &figures = _life->simulation->statistics();
+	result["trips"] = int64_t(figures.trips);
+	result["late_arrivals"] = int64_t(figures.late_arrivals);
+	result["outside"] = int64_t(figures.outside);
+	result["peak_outside"] = int64_t(figures.peak_outside);
+	result["peak_time"] = figures.peak_time.in_seconds();
+	result["peak_clock"] = to_godot(std::string_view(clock_text(figures.peak_time.time_of_day())));
+	Dictionary events;
+	for (size_t i = 0; i < sim_event_kind_count; ++i) {
+		events[to_godot(event_name(SimEventKind(i)))] = int64_t(figures.events[i]);
+	}
+	result["events"] = events;
+	return result;
+}
+
+Dictionary CitizenManager::get_broken_promises() const {
+	Dictionary result;
+	if (_life && _life->checker) {
+		for (size_t i = 0; i < promise_count; ++i) {
+			result[to_godot(promise_name(Promise(i)))] = int64_t(_life->checker->broken(Promise(i)));
+		}
+	}
+	return result;
+}
+
+PackedStringArray CitizenManager::get_broken_promise_examples() const {
+	return _life && _life->checker ? to_godot(_life->checker->examples()) : PackedStringArray();
+}
+
+// Those of making the population, then those of the simulation.
+TypedArray<Dictionary> CitizenManager::get_diagnostics() const {
+	Diagnostics all = _diagnostics;
+	if (is_running()) {
+		all.append(_life->simulation->diagnostics());
+	}
+	return to_godot(all);
+}
+
+// Ends the spans that are still being lived, so that records reach to now.
+void CitizenManager::flush_lives() const { _life->simulation->flush_lived(); }
+
+int CitizenManager::choose_household() const {
+	ERR_FAIL_COND_V_MSG(!is_running() || !_life->log, -1, "CitizenManager: no lives are recorded. Set record_lives before start().");
+	flush_lives();
+	return int(to_number(pcg::choose_household(_life->population, *_life->log)));
+}
+
+PackedStringArray CitizenManager::tell_day(int p_household, int p_day) const {
+	ERR_FAIL_COND_V_MSG(!is_running() || !_life->log, PackedStringArray(),
+			"CitizenManager: no lives are recorded. Set record_lives before start().");
+	ERR_FAIL_COND_V_MSG(p_household < 0 || size_t(p_household) >= _life->population.households.size(), PackedStringArray(),
+			"CitizenManager: there is no such household. Ask choose_household() for one worth telling of.");
+	flush_lives();
+	return to_godot(pcg::tell_day(_life->city->city.model, _life->population, *_life->log, HouseholdId(p_household),
+			SimTime::at(p_day, {}), SimTime::at(int64_t(p_day) + 1, {})));
+}
+
+Error CitizenManager::save_heat_map(const String &p_path) const {
+	ERR_FAIL_COND_V_MSG(!is_running() || !_life->heat, ERR_UNCONFIGURED,
+			"CitizenManager: no lives are recorded. Set record_lives before start().");
+	flush_lives();
+	std::vector<GroundPolygon> footprints;
+	for (const Lot &lot : _life->city->city.layout.lots) {
+		footprints.push_back(lot.polygon);
+	}
+	Diagnostics diagnostics;
+	write_png(from_godot(to_system_path(p_path)), draw_heat_map(*_life->heat, footprints), diagnostics);
+	report(diagnostics);
+	return diagnostics.has_errors() ? ERR_FILE_CANT_WRITE : OK;
+}
+
+Error CitizenManager::save_lives(const String &p_path) const {
+	ERR_FAIL_COND_V_MSG(!is_running() || !_life->log, ERR_UNCONFIGURED,
+			"CitizenManager: no lives are recorded. Set record_lives before start().");
+	flush_lives();
+	Diagnostics diagnostics;
+	write_lived_csv(from_godot(to_system_path(p_path)), _life->city->city.model, _life->population, *_life->log, {}, diagnostics);
+	report(diagnostics);
+	return diagnostics.has_errors() ? ERR_FILE_CANT_WRITE : OK;
+}
+
+} // namespace pcg

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <godot_cpp/classes/material.hpp>
+#include <godot_cpp/classes/navigation_mesh.hpp>
+#include <godot_cpp/classes/node3d.hpp>
+#include <godot_cpp/classes/ref.hpp>
+
+#include "core/city/city.h"
+
+namespace pcg {
+
+// Puts a city into the scene: below `root` the streets and a node for each block, below it the lots with their geometry and a node for each
+// entrance, zone and object.
+class CityBuilder {
+public:
+	CityBuilder(godot::Node3D *root, const City &city);
+
+	void build_streets();
+	void build_block(BlockId block);
+	void add_region(BlockId block, const godot::Ref<godot::NavigationMesh> &mesh);
+	// Removes whatever an earlier builder made.
+	static void clear(godot::Node3D *root);
+
+	// Everything that was built is in this group of the scene tree; what has meaning is in "pcg_lots", "pcg_entrances", "pcg_zones" and
+	// "pcg_objects" besides.
+	static constexpr const char *group = "pcg_generated";
+
+private:
+	void add(godot::Node *parent, godot::Node *child, const godot::String &name);
+	void add_geometry(godot::Node *parent, const Mesh &mesh, const std::vector<Material> &materials, const char *name,
+			godot::Vector3 position = {});
+	void build_lot(godot::Node3D *parent, LotId lot);
+	void build_entrances(godot::Node3D *lot, const LotBuild &build);
+	void build_zones(godot::Node3D *lot, const LotBuild &build);
+	void build_objects(godot::Node3D *lot, const LotBuild &build);
+
+	godot::Node3D *_root;
+	const City &_city;
+	godot::Node *_owner; // of everything that is made, so that it is saved with the scene
+	godot::Ref<godot::Material> _opaque, _transparent;
+};
+
+} // namespace pcg

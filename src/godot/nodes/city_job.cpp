@@ -1,0 +1,33 @@
+#include "godot/nodes/city_job.h"
+
+#include "core/city/walkable.h"
+#include "core/navigation/nav_mesh_paths.h"
+
+namespace pcg {
+
+bool CityJob::grow() {
+	std::optional<Layout> layout = make_layout(_input.layout, diagnostics);
+	if (!layout) {
+		return false;
+	}
+	CityOptions options;
+	options.work.cancel = &is_cancelled;
+	options.work.progress = [this](size_t done, size_t total) { progress = float(done) / float(total); };
+	std::optional<City> city = generate_city(std::move(*layout), _input.rules, options, diagnostics);
+	if (!city) {
+		return false;
+	}
+	state = std::make_shared<CityState>();
+	state->city = std::move(*city);
+	return true;
+}
+
+bool CityJob::join() {
+	state->ground = NavMesh::build(regions);
+	progress = 0.5f;
+	report_unreachable(state->city, state->ground, diagnostics);
+	state->paths = std::make_unique<NavMeshPaths>(state->city.model, state->ground);
+	return !is_cancelled;
+}
+
+} // namespace pcg

@@ -1,0 +1,399 @@
+#include "godot/nodes/pcg_city.h"
+
+#include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/navigation_server3d.hpp>
+#include <godot_cpp/classes/worker_thread_pool.hpp>
+#include <godot_cpp/classes/world3d.hpp>
+#include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/core/error_macros.hpp>
+#include <godot_cpp/variant/callable_method_pointer.hpp>
+
+#include "godot/convert.h"
+#include "godot/report.h"
+
+using namespace godot;
+
+namespace pcg {
+
+PCGCity::PCGCity() = default;
+
+// A city generates only in the tree, and stops when it leaves: there is nothing to wait for here.
+PCGCity::~PCGCity() = default;
+
+void PCGCity::_bind_methods() {
+	ClassDB::bind_method(D_METHOD("set_layout", "layout"), &PCGCity::set_layout);
+	ClassDB::bind_method(D_METHOD("get_layout"), &PCGCity::get_layout);
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "layout", PROPERTY_HINT_RESOURCE_TYPE, "PCGLayout"), "set_layout", "get_layout");
+	ClassDB::bind_method(D_METHOD("set_lot_types", "types"), &PCGCity::set_lot_types);
+	ClassDB::bind_method(D_METHOD("get_lot_types"), &PCGCity::get_lot_types);
+	const String array_of_lot_types = vformat("%d/%d:PCGLotType", int(Variant::OBJECT), int(PROPERTY_HINT_RESOURCE_TYPE));
+	ADD_PROPERTY(PropertyInfo(Variant::ARRAY, "lot_types", PROPERTY_HINT_ARRAY_TYPE, array_of_lot_types), "set_lot_types",
+			"get_lot_types");
+	ClassDB::bind_method(D_METHOD("set_seed", "seed"), &PCGCity::set_seed);
+	ClassDB::bind_method(D_METHOD("get_seed"), &PCGCity::get_seed);
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "seed"), "set_seed", "get_seed");
+	ClassDB::bind_method(D_METHOD("set_generate_on_ready", "enabled"), &PCGCity::set_generate_on_ready);
+	ClassDB::bind_method(D_METHOD("get_generate_on_ready"), &PCGCity::get_generate_on_ready);
+	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "generate_on_ready"), "set_generate_on_ready", "get_generate_on_ready");
+	ADD_GROUP("Navigation", "");
+	ClassDB::bind_method(D_METHOD("set_agent_radius", "metres"), &PCGCity::set_agent_radius);
+	ClassDB::bind_method(D_METHOD("get_agent_radius"), &PCGCity::get_agent_radius);
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "agent_radius", PROPERTY_HINT_RANGE, "0,1,0.05,suffix:m"), "set_agent_radius",
+			"get_agent_radius");
+
+	ClassDB::bind_method(D_METHOD("generate"), &PCGCity::generate);
+	ClassDB::bind_method(D_METHOD("generate_now"), &PCGCity::generate_now);
+	ClassDB::bind_method(D_METHOD("cancel"), &PCGCity::cancel);
+	ClassDB::bind_method(D_METHOD("clear"), &PCGCity::clear);
+	ClassDB::bind_method(D_METHOD("is_generating"), &PCGCity::is_generating);
+	ClassDB::bind_method(D_METHOD("is_generated"), &PCGCity::is_generated);
+	ClassDB::bind_method(D_METHOD("get_diagnostics"), &PCGCity::get_diagnostics);
+	ClassDB::bind_method(D_METHOD("get_statistics"), &PCGCity::get_statistics);
+	ClassDB::bind_method(D_METHOD("get_building_count"), &PCGCity::get_building_count);
+	ClassDB::bind_method(D_METHOD("find_path", "from", "to"), &PCGCity::find_path);
+	ClassDB::bind_method(D_METHOD("get_distance", "building", "other"), &PCGCity::get_distance);
+	ClassDB::bind_method(D_METHOD("save_gltf", "path"), &PCGCity::save_gltf);
+
+	ADD_SIGNAL(MethodInfo("generation_started"));
+	ADD_SIGNAL(MethodInfo("generation_progressed", PropertyInfo(Variant::STRING, "stage"), PropertyInfo(Variant::FLOAT, "fraction")));
+	ADD_SIGNAL(MethodInfo("city_generated"));
+	ADD_SIGNAL(MethodInfo("generation_canceled"));
+	ADD_SIGNAL(MethodInfo("generation_failed"));
+}
+
+void PCGCity::set_layout(const Ref<PCGLayout> &p_layout) {
+	_layout = p_layout;
+	update_configuration_warnings();
+}
+
+void PCGCity::set_lot_types(const TypedArray<PCGLotType> &p_types) {
+	_lot_types = p_types;
+	update_configuration_warnings();
+}
+
+void PCGCity::set_agent_radius(double p_metres) {
+	ERR_FAIL_COND_MSG(!(p_metres >= 0.0 && p_metres <= 1.0), "PCGCity: agent_radius is 0 m to 1 m; wider people do not pass a door.");
+	_agent_radius = p_metres;
+}
+
+void PCGCity::_ready() {
+	set_process(is_generating()); // the engine has just switched it on
+	if (_generate_on_ready && !Engine::get_singleton()->is_editor_hint()) {
+		generate();
+	}
+}
+
+void PCGCity::_notification(int p_what) {
+	if (p_what == NOTIFICATION_EXIT_TREE) {
+		stop();
+	}
+}
+
+PackedStringArray PCGCity::_get_configuration_warnings() const {
+	PackedStringArray warnings;
+	if (_layout.is_null()) {
+		warnings.push_back("This city has no layout. Give it a PCGLayout, which says where streets and lots lie.");
+	}
+	if (_lot_types.is_empty()) {
+		warnings.push_back("This city has no lot types. Add a PCGLotType for each kind of lot, with the rules (.cga) that build it.");
+	}
+	for (int64_t i = 0; i < _lot_types.size(); ++i) {
+		const Ref<PCGLotType> type = _lot_types[i];
+		if (type.is_null() || type->get_rules().is_null()) {
+			warnings.push_back("Lot type " + String::num_int64(i) + " has no rules. Give it a .cga file.");
+		} else if (type->get_rules()->get_dialect() != PCGRuleSet::DIALECT_CGA) {
+			warnings.push_back("The rules of lot type \"" + type->get_type() + "\" write agendas. Lots are built by a .cga file.");
+		} else if (type->get_rules()->has_errors()) {
+			warnings.push_back("The rules of lot type \"" + type->get_type() + "\" have errors; see their list of diagnostics.");
+		}
+	}
+	return warnings;
+}
+
+bool PCGCity::prepare_job(CityInput &input, Diagnostics &diagnostics) const {
+	if (_layout.is_valid()) {
+		input.layout = _layout->parameters();
+	} else {
+		diagnostics.error("missing-layout", "PCGCity has no layout", "set its `layout` to a PCGLayout");
+	}
+	input.layout.seed = uint64_t(_seed);
+	input.layout.land_use.clear();
+	if (_lot_types.is_empty()) {
+		diagnostics.error("missing-lot-types", "PCGCity has no lot types",
+				"add a PCGLotType for each kind of lot to `lot_types`, with the rules that build it");
+	}
+	for (int64_t i = 0; i < _lot_types.size(); ++i) {
+		const Ref<PCGLotType> type = _lot_types[i];
+		const Ref<PCGRuleSet> rules = type.is_valid() ? type->get_rules() : Ref<PCGRuleSet>();
+		if (rules.is_null()) {
+			diagnostics.error("missing-rules", "lot type " + std::to_string(i) + " of PCGCity has no rules", "give it a .cga file");
+			continue;
+		}
+		const std::string name = from_godot(type->get_type());
+		if (rules->get_dialect() != PCGRuleSet::DIALECT_CGA) {
+			diagnostics.error("wrong-dialect", "the rules of lot type \"" + name + "\" write agendas", "give it a .cga file");
+			continue;
+		}
+		diagnostics.append(rules->diagnostics());
+		input.layout.land_use.push_back({ name, type->get_weight() });
+		input.rules[name] = { rules->program(), from_godot(type->get_start_rule()), from_godot(type->get_attributes()) };
+	}
+	return !diagnostics.has_errors();
+}
+
+bool PCGCity::begin() {
+	ERR_FAIL_COND_V_MSG(is_generating(), false, "PCGCity: it is being generated already. Call cancel() first, or wait for city_generated.");
+	CityInput input;
+	_diagnostics = Diagnostics();
+	_seconds.clear();
+	if (!prepare_job(input, _diagnostics)) {
+		report(_diagnostics);
+		return false;
+	}
+	_job = std::make_unique<CityJob>(std::move(input));
+	emit_signal("generation_started");
+	return true;
+}
+
+bool PCGCity::generate() {
+	ERR_FAIL_COND_V_MSG(!is_inside_tree(), false, "PCGCity: add it to the scene tree before generate(): its ground is baked for a world.");
+	if (!begin()) {
+		return false;
+	}
+	_is_async = true;
+	set_process(true);
+	start_task(Stage::Growing);
+	return true;
+}
+
+bool PCGCity::generate_now() {
+	ERR_FAIL_COND_V_MSG(!is_inside_tree(), false, "PCGCity: add it to the scene tree before generate_now(): its ground is baked for a world.");
+	if (!begin()) {
+		return false;
+	}
+	_is_async = false;
+	start_task(Stage::Growing);
+	while (is_generating()) {
+		go_on();
+	}
+	return is_generated() && !_diagnostics.has_errors();
+}
+
+void PCGCity::cancel() {
+	if (!is_generating()) {
+		return;
+	}
+	const bool is_scene_touched = _stage != Stage::Growing;
+	stop();
+	if (is_scene_touched) {
+		clear();
+	}
+	emit_signal("generation_canceled");
+}
+
+void PCGCity::clear() {
+	stop();
+	CityBuilder::clear(this);
+	_state.reset();
+}
+
+// Ends a generation without a word.
+void PCGCity::stop() {
+	if (_job) {
+		_job->is_cancelled = true;
+	}
+	wait_for_task();
+	while (_baker && _stage == Stage::Baking && _next_block < _baker->block_count()) {
+		// The engine's threads still write to what the baker owns; they are done within milliseconds.
+		_next_block += _baker->is_baking(BlockId(_next_block)) ? 0 : 1;
+	}
+	_baker.reset();
+	_builder.reset();
+	_job.reset();
+	_stage = Stage::Idle;
+	set_process(false);
+}
+
+void PCGCity::_process(double) {
+	if (is_generating()) {
+		go_on();
+	}
+}
+
+// One slice of work on the main thread.
+void PCGCity::go_on() {
+	switch (_stage) {
+		case Stage::Idle: break;
+		case Stage::Growing:
+			tell_progress(_job->progress);
+			if (is_task_done()) {
+				wait_for_task();
+				_job->has_succeeded ? begin_building() : fail();
+			}
+			break;
+		case Stage::Building: build_next_block(); break;
+		case Stage::Baking: collect_baked(); break;
+		case Stage::Joining:
+			tell_progress(_job->progress);
+			if (is_task_done()) {
+				wait_for_task();
+				_job->has_succeeded ? finish() : fail();
+			}
+			break;
+	}
+}
+
+void PCGCity::start_task(Stage stage) {
+	_stage = stage;
+	_stage_start = std::chrono::steady_clock::now();
+	_job->progress = 0.0f;
+	if (_is_async) {
+		_task = WorkerThreadPool::get_singleton()->add_task(callable_mp(this, &PCGCity::run_task), true, "PCGCity");
+	} else {
+		run_task();
+	}
+}
+
+void PCGCity::run_task() { _job->has_succeeded = _stage == Stage::Growing ? _job->grow() : _job->join(); }
+
+bool PCGCity::is_task_done() const { return _task < 0 || WorkerThreadPool::get_singleton()->is_task_completed(_task); }
+
+// The engine wants every task waited for, also one that is done.
+void PCGCity::wait_for_task() {
+	if (_task >= 0) {
+		WorkerThreadPool::get_singleton()->wait_for_task_completion(_task);
+		_task = -1;
+	}
+}
+
+void PCGCity::begin_building() {
+	note_seconds("lots");
+	_stage = Stage::Building;
+	_next_block = 0;
+	CityBuilder::clear(this);
+	_builder = std::make_unique<CityBuilder>(this, _job->state->city);
+	_builder->build_streets();
+}
+
+void PCGCity::build_next_block() {
+	const size_t count = _job->state->city.layout.blocks.size();
+	if (_next_block < count) {
+		_builder->build_block(BlockId(_next_block++));
+		tell_progress(double(_next_block) / double(count));
+	} else {
+		note_seconds("scene");
+		begin_baking();
+	}
+}
+
+void PCGCity::begin_baking() {
+	_stage = Stage::Baking;
+	NavigationServer3D *server = NavigationServer3D::get_singleton();
+	const RID map = get_world_3d()->get_navigation_map();
+	BakeSettings settings;
+	settings.cell_size = float(server->map_get_cell_size(map));
+	settings.cell_height = float(server->map_get_cell_height(map));
+	settings.agent_radius = float(_agent_radius);
+	_baker = std::make_unique<BlockBaker>(_job->state->city, settings);
+	_job->regions.resize(_baker->block_count());
+	for (size_t i = 0; i < _baker->block_count(); ++i) {
+		_baker->bake(BlockId(i), _is_async);
+	}
+	_next_block = 0;
+}
+
+void PCGCity::collect_baked() {
+	while (_next_block < _baker->block_count() && !_baker->is_baking(BlockId(_next_block))) {
+		const BlockId block = BlockId(_next_block);
+		const Ref<NavigationMesh> mesh = _baker->finish(block);
+		_job->regions[_next_block++] = from_godot(mesh);
+		_builder->add_region(block, mesh);
+	}
+	tell_progress(double(_next_block) / double(std::max<size_t>(1, _baker->block_count())));
+	if (_next_block == _baker->block_count()) {
+		note_seconds("navigation");
+		_baker.reset();
+		start_task(Stage::Joining);
+	}
+}
+
+void PCGCity::finish() {
+	note_seconds("distances");
+	_diagnostics.append(_job->diagnostics);
+	_state = _job->state;
+	stop();
+	report(_diagnostics);
+	emit_signal("city_generated");
+}
+
+void PCGCity::fail() {
+	_diagnostics.append(_job->diagnostics);
+	stop();
+	CityBuilder::clear(this);
+	_state.reset();
+	report(_diagnostics);
+	emit_signal("generation_failed");
+}
+
+void PCGCity::note_seconds(const char *stage) {
+	const auto now = std::chrono::steady_clock::now();
+	_seconds[stage] = std::chrono::duration<double>(now - _stage_start).count();
+	_stage_start = now;
+}
+
+void PCGCity::tell_progress(double fraction) {
+	static constexpr const char *names[] = { "idle", "lots", "scene", "navigation", "distances" };
+	emit_signal("generation_progressed", names[int(_stage)], fraction);
+}
+
+TypedArray<Dictionary> PCGCity::get_diagnostics() const { return to_godot(_diagnostics); }
+
+int PCGCity::get_building_count() const { return _state ? int(_state->city.model.buildings().size()) : 0; }
+
+Dictionary PCGCity::get_statistics() const {
+	Dictionary result;
+	if (!_state) {
+		return result;
+	}
+	const City &city = _state->city;
+	int64_t faces = 0;
+	for (const LotBuild &lot : city.lots) {
+		faces += int64_t(lot.model.face_count);
+	}
+	Dictionary entrances;
+	for (const Entrance &entrance : city.model.entrances()) {
+		const String type = to_godot(city.model.types.name(entrance.type));
+		entrances[type] = int64_t(entrances.get(type, 0)) + 1;
+	}
+	result["blocks"] = int64_t(city.layout.blocks.size());
+	result["lots"] = int64_t(city.layout.lots.size());
+	result["faces"] = faces;
+	result["buildings"] = int64_t(city.model.buildings().size());
+	result["entrances"] = entrances;
+	result["zones"] = int64_t(city.model.zones().size());
+	result["objects"] = int64_t(city.model.objects().size());
+	result["seconds"] = _seconds;
+	return result;
+}
+
+PackedVector3Array PCGCity::find_path(const Vector3 &p_from, const Vector3 &p_to) const {
+	ERR_FAIL_COND_V_MSG(!_state, PackedVector3Array(), "PCGCity: there is no city yet. Call generate() and wait for city_generated.");
+	const Transform3D frame = is_inside_tree() ? get_global_transform() : get_transform();
+	const Transform3D inverse = frame.affine_inverse();
+	const std::vector<glm::vec3> path = _state->paths->path(from_godot(inverse.xform(p_from)), from_godot(inverse.xform(p_to)));
+	PackedVector3Array points;
+	for (const glm::vec3 &point : path) {
+		points.push_back(frame.xform(to_godot(point)));
+	}
+	return points;
+}
+
+double PCGCity::get_distance(int p_building, int p_other) const {
+	ERR_FAIL_COND_V_MSG(!_state, 0.0, "PCGCity: there is no city yet. Call generate() and wait for city_generated.");
+	const int count = get_building_count();
+	ERR_FAIL_COND_V_MSG(p_building < 0 || p_building >= count || p_other < 0 || p_other >= count, 0.0,
+			"PCGCity: buildings are numbered from 0 to get_building_count() - 1.");
+	return _state->paths->distance(BuildingId(p_building), BuildingId(p_other));
+}
+
+} // namespace pcg

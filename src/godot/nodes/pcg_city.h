@@ -1,0 +1,108 @@
+#pragma once
+
+#include <chrono>
+#include <memory>
+
+#include <godot_cpp/classes/node3d.hpp>
+#include <godot_cpp/classes/ref.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
+#include <godot_cpp/variant/packed_string_array.hpp>
+#include <godot_cpp/variant/packed_vector3_array.hpp>
+#include <godot_cpp/variant/string.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+
+#include "core/base/diagnostic.h"
+#include "godot/nodes/city_builder.h"
+#include "godot/nodes/city_job.h"
+#include "godot/ports/block_baker.h"
+#include "godot/resources/pcg_layout.h"
+#include "godot/resources/pcg_lot_type.h"
+
+namespace pcg {
+
+// A city in the scene. Generation goes through the stages below; only BUILDING needs the main thread, a block a frame.
+class PCGCity : public godot::Node3D {
+	GDCLASS(PCGCity, godot::Node3D)
+
+public:
+	PCGCity();
+	~PCGCity() override;
+
+	void set_layout(const godot::Ref<PCGLayout> &p_layout);
+	godot::Ref<PCGLayout> get_layout() const { return _layout; }
+	void set_lot_types(const godot::TypedArray<PCGLotType> &p_types);
+	godot::TypedArray<PCGLotType> get_lot_types() const { return _lot_types; }
+	void set_seed(int64_t p_seed) { _seed = p_seed; }
+	int64_t get_seed() const { return _seed; }
+	void set_generate_on_ready(bool p_enabled) { _generate_on_ready = p_enabled; }
+	bool get_generate_on_ready() const { return _generate_on_ready; }
+	void set_agent_radius(double p_metres);
+	double get_agent_radius() const { return _agent_radius; }
+
+	// False, with one error, if nothing sensible can be made. Otherwise city_generated, generation_failed or generation_canceled follows.
+	bool generate();
+	// The same before it returns.
+	bool generate_now();
+	void cancel();
+	void clear();
+	bool is_generating() const { return _stage != Stage::Idle; }
+	bool is_generated() const { return _state != nullptr; }
+
+	godot::TypedArray<godot::Dictionary> get_diagnostics() const;
+	godot::Dictionary get_statistics() const;
+	godot::PackedVector3Array find_path(const godot::Vector3 &p_from, const godot::Vector3 &p_to) const;
+	double get_distance(int p_building, int p_other) const;
+	int get_building_count() const;
+	godot::Error save_gltf(const godot::String &p_path) const;
+
+	// Null before the first generation. Whoever simulates keeps a share, so that a new generation does not pull the ground from under it.
+	const std::shared_ptr<const CityState> &state() const { return _state; }
+
+	void _ready() override;
+	void _process(double p_delta) override;
+	godot::PackedStringArray _get_configuration_warnings() const override;
+
+protected:
+	static void _bind_methods();
+	void _notification(int p_what);
+
+private:
+	enum class Stage { Idle, Growing, Building, Baking, Joining };
+
+	bool begin();
+	bool prepare_job(CityInput &input, Diagnostics &diagnostics) const;
+	void go_on();
+	void start_task(Stage stage);
+	void run_task();
+	void wait_for_task();
+	bool is_task_done() const;
+	void begin_building();
+	void build_next_block();
+	void begin_baking();
+	void collect_baked();
+	void finish();
+	void fail();
+	void stop();
+	void note_seconds(const char *stage);
+	void tell_progress(double fraction);
+
+	godot::Ref<PCGLayout> _layout;
+	godot::TypedArray<PCGLotType> _lot_types;
+	int64_t _seed = 1;
+	bool _generate_on_ready = false;
+	double _agent_radius = 0.25;
+
+	Stage _stage = Stage::Idle;
+	bool _is_async = true;
+	int64_t _task = -1; // of the engine's WorkerThreadPool
+	std::unique_ptr<CityJob> _job;
+	std::unique_ptr<CityBuilder> _builder;
+	std::unique_ptr<BlockBaker> _baker;
+	uint32_t _next_block = 0;
+	std::chrono::steady_clock::time_point _stage_start;
+	godot::Dictionary _seconds; // by stage, of the last generation
+	Diagnostics _diagnostics;
+	std::shared_ptr<const CityState> _state;
+};
+
+} // namespace pcg

@@ -1,0 +1,78 @@
+#include "godot/ports/block_baker.h"
+
+#include <cmath>
+
+#include <godot_cpp/classes/navigation_server3d.hpp>
+#include <godot_cpp/variant/packed_vector3_array.hpp>
+
+#include "core/city/walkable.h"
+#include "godot/convert.h"
+
+using namespace godot;
+
+namespace pcg {
+
+BlockBaker::BlockBaker(const City &city, BakeSettings settings) : _city(city), _settings(settings) {
+	_jobs.resize(city.layout.blocks.size());
+}
+
+float BlockBaker::snap(float metres) const { return std::round(metres / _settings.cell_size) * _settings.cell_size; }
+
+AABB BlockBaker::snapped(glm::vec3 min, glm::vec3 max) const {
+	const Vector3 low(snap(min.x) - border, -1.0f, snap(min.z) - border);
+	const Vector3 high(snap(max.x) + border, 3.0f, snap(max.z) + border);
+	return AABB(low, high - low);
+}
+
+void BlockBaker::bake(BlockId block, bool is_async) {
+	Job &job = _jobs[index_of(block)];
+	const BlockSource source = block_source_faces(_city, block, border, false);
+	PackedVector3Array faces; // the baker wants the engine's winding: clockwise from above
+	for (size_t i = 0; i + 2 < source.triangles.size(); i += 3) {
+		faces.push_back(to_godot(source.triangles[i]));
+		faces.push_back(to_godot(source.triangles[i + 2]));
+		faces.push_back(to_godot(source.triangles[i + 1]));
+	}
+	job.source.instantiate();
+	job.source->add_faces(faces, Transform3D());
+	job.mesh.instantiate();
+	job.mesh->set_cell_size(_settings.cell_size);
+	job.mesh->set_cell_height(_settings.cell_height);
+	job.mesh->set_agent_radius(_settings.agent_radius);
+	job.mesh->set_agent_height(std::ceil(_settings.agent_height / _settings.cell_height) * _settings.cell_height);
+	job.mesh->set_agent_max_climb(_settings.cell_height);
+	job.mesh->set_border_size(border);
+	job.mesh->set_filter_baking_aabb(snapped(source.min, source.max));
+	job.is_finished = faces.is_empty(); // the engine would complain
+	if (job.is_finished) {
+		return;
+	}
+	NavigationServer3D *server = NavigationServer3D::get_singleton();
+	if (is_async) {
+		server->bake_from_source_geometry_data_async(job.mesh, job.source);
+	} else {
+		server->bake_from_source_geometry_data(job.mesh, job.source);
+	}
+}
+
+bool BlockBaker::is_baking(BlockId block) const {
+	const Job &job = _jobs[index_of(block)];
+	return !job.is_finished && job.mesh.is_valid() && NavigationServer3D::get_singleton()->is_baking_navigation_mesh(job.mesh);
+}
+
+Ref<NavigationMesh> BlockBaker::finish(BlockId block) {
+	Job &job = _jobs[index_of(block)];
+	if (!job.is_finished) {
+		job.is_finished = true;
+		job.source.unref();
+		PackedVector3Array vertices = job.mesh->get_vertices();
+		Vector3 *vertex = vertices.ptrw();
+		for (int64_t i = 0; i < vertices.size(); ++i) {
+			vertex[i].y -= 2.0f * _settings.cell_height;
+		}
+		job.mesh->set_vertices(vertices);
+	}
+	return job.mesh;
+}
+
+} // namespace pcg

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include <godot_cpp/classes/navigation_mesh.hpp>
+#include <godot_cpp/classes/navigation_mesh_source_geometry_data3d.hpp>
+#include <godot_cpp/classes/ref.hpp>
+#include <godot_cpp/variant/aabb.hpp>
+
+#include "core/city/city.h"
+
+namespace pcg {
+
+struct BakeSettings {
+	float cell_size = 0.25f; // metres; the map's own
+	float cell_height = 0.25f;
+	float agent_radius = 0.25f; // how far from walls people keep
+	float agent_height = 1.75f;
+};
+
+// Bakes the walkable ground of a city, a region for each block. A bake in one piece fails on a whole city (0 polygons at 960 m), and only
+// what changed has to be baked again. Regions meet exactly: each is baked with a border of its neighbours' ground that is cut off afterwards,
+// along lines on the grid of cells.
+class BlockBaker {
+public:
+	BlockBaker(const City &city, BakeSettings settings);
+
+	// Begins a block; `is_async`: on the engine's threads, finished once is_baking() is false.
+	void bake(BlockId block, bool is_async);
+	bool is_baking(BlockId block) const;
+	// Of a finished block. Lowered onto the ground: the engine's baker puts its polygons two cells too high.
+	godot::Ref<godot::NavigationMesh> finish(BlockId block);
+	size_t block_count() const { return _jobs.size(); }
+
+	static constexpr float border = 2.0f; // metres: more than an agent's radius
+
+private:
+	struct Job {
+		godot::Ref<godot::NavigationMesh> mesh;
+		godot::Ref<godot::NavigationMeshSourceGeometryData3D> source;
+		bool is_finished = false;
+	};
+	godot::AABB snapped(glm::vec3 min, glm::vec3 max) const;
+	float snap(float metres) const;
+
+	const City &_city;
+	BakeSettings _settings;
+	std::vector<Job> _jobs;
+};
+
+} // namespace pcg

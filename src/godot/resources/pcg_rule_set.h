@@ -1,0 +1,63 @@
+#pragma once
+
+#include <memory>
+
+#include <godot_cpp/classes/ref.hpp>
+#include <godot_cpp/classes/resource.hpp>
+#include <godot_cpp/core/binder_common.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
+#include <godot_cpp/variant/packed_string_array.hpp>
+#include <godot_cpp/variant/string.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+
+#include "core/base/diagnostic.h"
+#include "core/lang/program.h"
+
+namespace pcg {
+
+// A compiled rule file. One with errors is still a resource: it carries its list of errors, and whoever needs its rules says so.
+class PCGRuleSet : public godot::Resource {
+	GDCLASS(PCGRuleSet, godot::Resource)
+
+public:
+	enum Dialect { DIALECT_CGA, DIALECT_AGENDA };
+
+	// Always a rule set, whatever is wrong with the file.
+	static godot::Ref<PCGRuleSet> from_file(const godot::String &p_path);
+	void read_file(const godot::String &p_path);
+	void reload();
+
+	void set_source(const godot::String &p_source);
+	godot::String get_source() const { return _source; }
+	void set_dialect(Dialect p_dialect);
+	Dialect get_dialect() const { return _dialect; }
+	godot::String get_file() const { return _file; }
+
+	bool has_errors() const { return _diagnostics.has_errors(); }
+	godot::TypedArray<godot::Dictionary> get_diagnostics() const;
+	godot::String get_diagnostics_text() const;
+	godot::PackedStringArray get_rules() const;
+	godot::PackedStringArray get_start_rules() const;
+	godot::TypedArray<godot::Dictionary> get_attributes() const;
+
+	// Null after errors. Immutable: threads may keep it.
+	const std::shared_ptr<const Program> &program() const { return _program; }
+	const Diagnostics &diagnostics() const { return _diagnostics; }
+
+protected:
+	static void _bind_methods();
+	void _validate_property(godot::PropertyInfo &p_property) const;
+
+private:
+	void compile();
+
+	godot::String _file; // empty: `_source` is compiled
+	godot::String _source;
+	Dialect _dialect = DIALECT_CGA;
+	std::shared_ptr<const Program> _program;
+	Diagnostics _diagnostics;
+};
+
+} // namespace pcg
+
+VARIANT_ENUM_CAST(pcg::PCGRuleSet::Dialect);
