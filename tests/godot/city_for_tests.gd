@@ -1,0 +1,69 @@
+extends RefCounted
+## A small city from rules that stand here, so that tests do not depend on the shipped ones.
+
+const HOUSE := """@StartRule
+Lot --> split(z) { 5: Yard | ~1: extrude(6) comp(f) { front: Front | all: Wall. } }
+Yard --> X.
+Front --> entrance("house", 4) Wall.
+"""
+const WORKPLACE := """@StartRule
+Lot --> split(z) { 5: Yard | ~1: extrude(12) comp(f) { front: Front | all: Wall. } }
+Yard --> X.
+Front --> entrance("workplace", 40) Wall.
+"""
+const SCHOOL := """@StartRule
+Lot --> split(z) { 5: Yard | ~1: extrude(7) comp(f) { front: Front | all: Wall. } }
+Yard --> X.
+Front --> entrance("school", 100) Wall.
+"""
+const PARK := """@StartRule
+Lot --> zone("park") Lawn.
+"""
+const WEEKDAY := """@StartRule
+Household -->
+	members { true: stayInside(0h, 24h, home) }
+	members { age < 18: Visit("school", 8h, 16h) | age < 65: Visit("workplace", 8h + rand(-30m, 30m), 16h) | true: Walk }
+Visit(type, t0, t1) -->
+	set(goal, findNearestBuilding(type, home))
+	set(way, getDistanceInTime(home, goal))
+	goToBuilding(t0 - way, t1, goal)
+	goToBuilding(t1, t1 + way, home)
+Walk --> delayedRule(10h, 11h, Park)
+Park --> goToZone("park") wait(10m)
+"""
+const HOUSEHOLDS := "descriptor,count,adults,minors,elders\na couple,40,2,0,0\na couple with two children,40,2,2,0\nan old couple,20,0,0,2\n"
+
+
+static func make_rules(source: String, dialect: PCGRuleSet.Dialect = PCGRuleSet.DIALECT_CGA) -> PCGRuleSet:
+	var rules := PCGRuleSet.new()
+	rules.dialect = dialect
+	rules.source = source
+	return rules
+
+
+static func make_type(name: String, weight: float, source: String) -> PCGLotType:
+	var type := PCGLotType.new()
+	type.type = name
+	type.weight = weight
+	type.rules = make_rules(source)
+	return type
+
+
+static func make_city(lots: int = 40) -> PCGCity:
+	var city := PCGCity.new()
+	city.layout = PCGLayout.new()
+	city.layout.fit_lots(lots)
+	city.lot_types = [make_type("house", 60, HOUSE), make_type("workplace", 20, WORKPLACE), make_type("school", 10, SCHOOL),
+			make_type("park", 10, PARK)]
+	return city
+
+
+static func make_citizens(city: PCGCity, persons: int = 60) -> CitizenManager:
+	var citizens := CitizenManager.new()
+	citizens.city = city
+	citizens.rules = make_rules(WEEKDAY, PCGRuleSet.DIALECT_AGENDA)
+	citizens.household_table = PCGHouseholdTable.new()
+	citizens.household_table.source = HOUSEHOLDS
+	citizens.person_count = persons
+	citizens.paused = true
+	return citizens

@@ -1,0 +1,165 @@
+extends "res://tests/godot/suite.gd"
+## People in a city: they leave, walk, arrive; the clock jumps; what is missing is named.
+
+const CityForTests := preload("res://tests/godot/city_for_tests.gd")
+const HOUR := 3600.0
+
+var _city: PCGCity
+var _citizens: CitizenManager
+
+
+func before_each() -> void:
+	_city = CityForTests.make_city()
+	add_child(_city)
+	_city.generate_now()
+	_citizens = CityForTests.make_citizens(_city)
+	add_child(_citizens)
+
+
+func _begin() -> void:
+	check(_citizens.generate_population(), "there are people: %s" % [_citizens.get_diagnostics()])
+	check(_citizens.start(), "life begins")
+
+
+func test_persons_have_homes_names_and_agendas() -> void:
+	check(_citizens.generate_population(), "there are people: %s" % [_citizens.get_diagnostics()])
+	var made: Dictionary = _citizens.get_statistics()
+	check(made["persons"] >= 60 and made["households"] > 10, "as many as wanted: %s" % [made])
+	var person: Dictionary = _citizens.get_person(0)
+	check(person["home"] >= 0 and not str(person["name"]).is_empty(), "the first one: %s" % [person])
+	var agenda: Array[Dictionary] = _citizens.get_agenda(0)
+	check(not agenda.is_empty(), "has an agenda")
+	check_equal(agenda[0]["file"], "rules.pcg", "that says where it comes from")
+
+
+func test_agents_are_spawned_when_people_leave_and_freed_when_they_arrive() -> void:
+	_citizens.check_promises = true
+	var counts := {"spawned": 0, "freed": 0, "left": 0, "entered": 0, "tasks": 0}
+	_citizens.agent_spawned.connect(func(_person: int) -> void: counts["spawned"] += 1)
+	_citizens.agent_freed.connect(func(_person: int) -> void: counts["freed"] += 1)
+	_citizens.person_left_building.connect(func(_person: int, _building: int) -> void: counts["left"] += 1)
+	_citizens.person_entered_building.connect(func(_person: int, _building: int) -> void: counts["entered"] += 1)
+	_citizens.task_started.connect(func(_person: int, _kind: String) -> void: counts["tasks"] += 1)
+	_citizens.jump_to(0, 5 * HOUR)
+	_begin()
+	var view: PCGAgentView = _citizens.get_agent_view()
+	var peak := 0
+	for minute: int in 15 * 60:
+		_citizens.advance(60.0)
+		peak = maxi(peak, view.get_agent_count())
+		if minute % 60 == 0:
+			await get_tree().process_frame
+	check(peak > 0, "there was somebody outdoors")
+	check(counts["spawned"] > 0 and counts["left"] > 0 and counts["tasks"] > 0, "signals came: %s" % [counts])
+	check_equal(counts["spawned"] - counts["freed"], view.get_agent_count(), "bodies are those who have not arrived yet")
+	check_equal(_citizens.get_persons_outside().size(), view.get_agent_count(), "everybody outdoors has a body, nobody else")
+	for count: int in _citizens.get_broken_promises().values():
+		check_equal(count, 0, "a promise: %s" % [_citizens.get_broken_promise_examples()])
+
+
+func test_an_agent_is_where_its_person_is() -> void:
+	_citizens.jump_to(0, 7.5 * HOUR)
+	_begin()
+	var view: PCGAgentView = _citizens.get_agent_view()
+	for minute: int in 60:
+		_citizens.advance(30.0)
+		for person: int in _citizens.get_persons_outside():
+			var place: Vector3 = _citizens.get_person(person)["position"]
+			check(view.has_agent(person), "a body")
+			check_near(view.get_agent_position(person).distance_to(place), 0.0, 0.05, "at the person's place")
+
+
+func test_the_clock_runs_by_itself_unless_it_is_paused() -> void:
+	_begin()
+	_citizens.time_scale = 600.0
+	var before: float = _citizens.time
+	await get_tree().process_frame
+	await get_tree().process_frame
+	check_equal(_citizens.time, before, "paused")
+	_citizens.paused = false
+	for frame: int in 10:
+		await get_tree().process_frame
+	check(_citizens.time > before, "running")
+
+
+func test_time_jumps_forwards_and_backwards_give_the_same_world() -> void:
+	_begin()
+	var jumps: Array[bool] = [false]
+	_citizens.time_jumped.connect(func() -> void: jumps[0] = true)
+	_citizens.jump_to(0, 12 * HOUR)
+	check(jumps[0], "it is told")
+	check_equal(_citizens.get_clock_text(), "12:00", "the clock")
+	var noon: Array = _where_everybody_is()
+	_citizens.jump_to(1, 3 * HOUR)
+	check_equal(_citizens.day, 1, "the next day")
+	_citizens.jump_to(0, 12 * HOUR)
+	check_equal(_where_everybody_is(), noon, "noon is noon")
+
+
+func _where_everybody_is() -> Array:
+	return range(_citizens.get_statistics()["persons"]).map(func(id: int) -> Array:
+		var person: Dictionary = _citizens.get_person(id)
+		return [person["state"], person["place"]])
+
+
+func test_a_new_day_is_told() -> void:
+	var days: Array[int] = []
+	_citizens.day_started.connect(func(day: int) -> void: days.append(day))
+	_citizens.jump_to(0, 23 * HOUR)
+	_begin()
+	_citizens.advance(26 * HOUR)
+	check_equal(days, [1, 2] as Array[int], "Tuesday and Wednesday")
+
+
+func test_a_recorded_day_can_be_told_and_written() -> void:
+	_citizens.record_lives = true
+	_begin()
+	_citizens.advance(24 * HOUR)
+	var household: int = _citizens.choose_household()
+	check(household >= 0, "there is somebody to tell of")
+	check(_citizens.tell_day(household, 0).size() > 1, "in several lines")
+	for path: String in ["user://heat_of_tests.png", "user://lives_of_tests.csv"]:
+		var error: Error = _citizens.save_heat_map(path) if path.ends_with("png") else _citizens.save_lives(path)
+		check_equal(error, OK, path)
+		check(FileAccess.file_exists(path), "%s is there" % path)
+		DirAccess.remove_absolute(path)
+	check(Image.new() != null, "pictures can be read")
+
+
+func test_a_file_that_cannot_be_written_is_one_error_and_leaves_nothing() -> void:
+	expect_message("heat.png")
+	_citizens.record_lives = true
+	_begin()
+	_citizens.advance(HOUR)
+	check(_citizens.save_heat_map("/proc/nowhere/heat.png") != OK, "it says no")
+
+
+func test_what_is_missing_is_named_in_one_message() -> void:
+	expect_message("CitizenManager has no rules")
+	_citizens.rules = null
+	check(not _citizens.generate_population(), "no rules")
+	expect_message("CitizenManager has no household table")
+	_citizens.rules = CityForTests.make_rules(CityForTests.WEEKDAY, PCGRuleSet.DIALECT_AGENDA)
+	_citizens.household_table = null
+	check(not _citizens.generate_population(), "no households")
+	expect_message("Call generate_population() before start()")
+	check(not _citizens.start(), "nobody to start with")
+
+
+func test_a_city_without_homes_is_refused() -> void:
+	expect_message("home")
+	_city.lot_types = [CityForTests.make_type("workplace", 1, CityForTests.WORKPLACE)]
+	check(_city.generate_now(), "a city of workplaces")
+	check(not _citizens.generate_population(), "nobody can live there")
+
+
+func test_the_city_may_be_generated_again_while_people_live_in_the_old_one() -> void:
+	_begin()
+	_citizens.advance(9 * HOUR)
+	_city.seed = 5
+	_city.generate_now()
+	_citizens.advance(HOUR)
+	check(_citizens.is_running(), "the old life goes on")
+	_begin()
+	_citizens.advance(HOUR)
+	check(_citizens.is_running(), "and a new one begins")

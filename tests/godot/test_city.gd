@@ -1,0 +1,171 @@
+extends "res://tests/godot/suite.gd"
+## Cities in the scene tree: what is made, that it repeats, and what is said when something is missing.
+
+const CityForTests := preload("res://tests/godot/city_for_tests.gd")
+
+
+func _grown(lots: int = 40, seed: int = 1) -> PCGCity:
+	var city: PCGCity = CityForTests.make_city(lots)
+	city.seed = seed
+	add_child(city)
+	check(city.generate_now(), "it generates: %s" % [city.get_diagnostics()])
+	return city
+
+
+func _count(city: PCGCity, group: StringName) -> int:
+	return get_tree().get_nodes_in_group(group).filter(func(node: Node) -> bool: return city.is_ancestor_of(node)).size()
+
+
+func test_the_same_seed_gives_the_same_city() -> void:
+	var one: Dictionary = _grown(40, 7).get_statistics()
+	var other: Dictionary = _grown(40, 7).get_statistics()
+	one.erase("seconds")
+	other.erase("seconds")
+	check_equal(one, other, "statistics")
+	check(one["lots"] > 0 and one["faces"] > 0, "there is something: %s" % [one])
+
+
+func test_what_has_meaning_has_a_node_in_a_group() -> void:
+	var city: PCGCity = _grown()
+	var made: Dictionary = city.get_statistics()
+	var entrances := 0
+	for count: int in made["entrances"].values():
+		entrances += count
+	check_equal(_count(city, &"pcg_lots"), made["lots"], "lots")
+	check_equal(_count(city, &"pcg_entrances"), entrances, "entrances")
+	check_equal(_count(city, &"pcg_zones"), made["zones"], "zones")
+	var entrance: PCGEntrance = get_tree().get_first_node_in_group(&"pcg_entrances")
+	check(made["entrances"].has(entrance.type), "an entrance knows its type")
+	check(entrance.capacity > 0 and entrance.building_id >= 0, "and its capacity and building")
+	var zone: PCGZone = get_tree().get_first_node_in_group(&"pcg_zones")
+	check(zone.contains(zone.global_position), "a zone contains its own middle")
+	check(not zone.contains(zone.global_position + Vector3(1000, 0, 0)), "and nothing far away")
+
+
+func test_lots_have_few_surfaces() -> void:
+	var city: PCGCity = _grown()
+	for node: Node in city.find_children("Geometry", "MeshInstance3D", true, false):
+		var instance := node as MeshInstance3D
+		check(instance.mesh.get_surface_count() <= 2, "%s has %d surfaces" % [instance.get_path(), instance.mesh.get_surface_count()])
+
+
+func test_generation_beside_the_main_thread_tells_its_progress() -> void:
+	var city: PCGCity = CityForTests.make_city()
+	var stages: Array[String] = []
+	city.generation_progressed.connect(func(stage: String, fraction: float) -> void:
+		check(fraction >= 0.0 and fraction <= 1.0, "a fraction")
+		if stages.is_empty() or stages.back() != stage:
+			stages.append(stage))
+	add_child(city)
+	check(city.generate(), "it begins")
+	check(city.is_generating(), "and goes on")
+	await city.city_generated
+	check(city.is_generated() and not city.is_generating(), "until it is there")
+	check_equal(stages.slice(0, 4), ["lots", "scene", "navigation", "distances"] as Array[String], "stages in order")
+
+
+func test_a_cancelled_generation_leaves_nothing() -> void:
+	var city: PCGCity = CityForTests.make_city(200)
+	var told: Array[bool] = [false]
+	city.generation_canceled.connect(func() -> void: told[0] = true)
+	add_child(city)
+	city.generate()
+	city.cancel()
+	check(told[0], "it is told")
+	check(not city.is_generating() and not city.is_generated(), "nothing is there")
+	check_equal(city.get_child_count(), 0, "no children")
+	check(city.generate_now(), "and it can be generated again")
+
+
+func test_a_city_that_is_freed_while_it_grows_goes_quietly() -> void:
+	var city: PCGCity = CityForTests.make_city(200)
+	add_child(city)
+	city.generate()
+	await get_tree().process_frame
+	city.free()
+	check(not is_instance_valid(city), "it is gone")
+
+
+func test_generating_again_replaces_what_was_there() -> void:
+	var city: PCGCity = _grown()
+	var before: int = city.get_child_count()
+	check(city.generate_now(), "again")
+	await get_tree().process_frame
+	check_equal(city.get_child_count(), before, "as many children as before")
+	city.clear()
+	check_equal(city.get_child_count(), 0, "clear() takes all away")
+
+
+func test_the_engine_finds_a_way_between_two_entrances() -> void:
+	var city: PCGCity = _grown()
+	var entrances: Array[Node] = get_tree().get_nodes_in_group(&"pcg_entrances")
+	var from: Vector3 = (entrances.front() as PCGEntrance).global_position
+	var to: Vector3 = (entrances.back() as PCGEntrance).global_position
+	var map: RID = city.get_world_3d().navigation_map
+	for frame: int in 600:
+		if NavigationServer3D.map_get_path(map, from, to, true).size() > 1:
+			break
+		await get_tree().physics_frame
+	var engine_way: PackedVector3Array = NavigationServer3D.map_get_path(map, from, to, true)
+	check(engine_way.size() > 1, "the engine's navigation server has a path")
+	var way: PackedVector3Array = city.find_path(from, to)
+	check(way.size() > 1, "the city has one too")
+	check_near(_length(way), _length(engine_way), 0.03 * _length(engine_way) + 2.0, "of about the same length")
+
+
+func _length(points: PackedVector3Array) -> float:
+	var sum := 0.0
+	for i: int in range(1, points.size()):
+		sum += points[i - 1].distance_to(points[i])
+	return sum
+
+
+func test_no_lots_are_refused_with_one_message() -> void:
+	expect_message("number of blocks")
+	var city: PCGCity = CityForTests.make_city()
+	city.layout.blocks_x = 0
+	add_child(city)
+	check(not city.generate_now(), "it says no")
+	check_equal(city.get_diagnostics().size(), 1, "with one diagnostic")
+
+
+func test_a_city_without_lot_types_says_what_to_add() -> void:
+	expect_message("PCGCity has no lot types")
+	var city := PCGCity.new()
+	city.layout = PCGLayout.new()
+	add_child(city)
+	check(not city.generate_now(), "it says no")
+
+
+func test_rules_with_errors_are_named_with_file_and_line() -> void:
+	expect_message("rules.cga:2:")
+	var city: PCGCity = CityForTests.make_city()
+	city.lot_types = [CityForTests.make_type("house", 1, "@StartRule\nLot --> extrude(\n")]
+	add_child(city)
+	check(not city.generate_now(), "it says no")
+
+
+func test_agenda_rules_do_not_build_lots() -> void:
+	expect_message("the rules of lot type \"house\" write agendas")
+	var city: PCGCity = CityForTests.make_city()
+	city.lot_types[0].rules = CityForTests.make_rules(CityForTests.WEEKDAY, PCGRuleSet.DIALECT_AGENDA)
+	add_child(city)
+	check(not city.generate_now(), "it says no")
+
+
+func test_a_city_outside_the_tree_says_so() -> void:
+	expect_message("add it to the scene tree before generate()")
+	var city: PCGCity = CityForTests.make_city()
+	check(not city.generate(), "it says no")
+	city.free()
+
+
+func test_a_city_is_written_as_gltf_or_not_at_all() -> void:
+	var path := "user://city_of_tests.glb"
+	var city: PCGCity = _grown(12)
+	check_equal(city.save_gltf(path), OK, "it is written")
+	var document := GLTFDocument.new()
+	var state := GLTFState.new()
+	check_equal(document.append_from_file(path, state), OK, "the engine reads it")
+	check(state.get_meshes().size() > 0, "and finds meshes")
+	DirAccess.remove_absolute(path)

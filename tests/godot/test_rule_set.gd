@@ -1,0 +1,98 @@
+extends "res://tests/godot/suite.gd"
+## Rule files as resources: good ones, wrong ones, none at all.
+
+const FOLDER := "user://rules_of_tests"
+
+
+func before_each() -> void:
+	DirAccess.make_dir_recursive_absolute(FOLDER)
+
+
+func after_each() -> void:
+	for file: String in DirAccess.get_files_at(FOLDER):
+		DirAccess.remove_absolute(FOLDER.path_join(file))
+	DirAccess.remove_absolute(FOLDER)
+
+
+func _write(name: String, text: String) -> String:
+	var path: String = FOLDER.path_join(name)
+	var file := FileAccess.open(path, FileAccess.WRITE)
+	file.store_string(text)
+	file.close()
+	return path
+
+
+func _first_diagnostic(rules: PCGRuleSet) -> Dictionary:
+	return rules.get_diagnostics()[0] if not rules.get_diagnostics().is_empty() else {}
+
+
+func test_a_cga_file_loads_as_a_resource() -> void:
+	var path: String = _write("lot.cga", "attr height = 9\n@StartRule\nLot --> extrude(height) Mass\nMass --> X.\n")
+	var rules: PCGRuleSet = load(path)
+	check(rules != null, "load() gives a rule set")
+	check(not rules.has_errors(), "without errors: %s" % [rules.get_diagnostics()])
+	check_equal(rules.get_dialect(), PCGRuleSet.DIALECT_CGA, "the dialect follows from the extension")
+	check_equal(rules.get_start_rules(), PackedStringArray(["Lot"]), "the start rule")
+	check(rules.get_rules().has("Mass"), "the other rule")
+	check_equal(rules.get_attributes()[0]["name"], "height", "the attribute")
+
+
+func test_a_pcg_file_is_an_agenda() -> void:
+	var path: String = _write("day.pcg", "@StartRule\nHousehold --> members { true: stayInside(0h, 24h, home) }\n")
+	var rules: PCGRuleSet = load(path)
+	check_equal(rules.get_dialect(), PCGRuleSet.DIALECT_AGENDA, "the dialect follows from the extension")
+	check(not rules.has_errors(), "without errors: %s" % [rules.get_diagnostics()])
+
+
+func test_a_file_with_errors_loads_with_its_list_of_errors() -> void:
+	var path: String = _write("wrong.cga", "@StartRule\nLot -->\n  extrude(3\nRoof --> X.\n")
+	var rules: PCGRuleSet = load(path)
+	check(rules != null and rules.has_errors(), "it loads, and says that it has errors")
+	var first: Dictionary = _first_diagnostic(rules)
+	check_equal(first.get("severity"), "error", "severity")
+	check_equal(first.get("file"), path, "file")
+	check(int(first.get("line", 0)) > 0 and int(first.get("column", 0)) > 0, "line and column are there: %s" % [first])
+
+
+func test_an_unknown_name_in_an_agenda_has_line_column_and_a_suggestion() -> void:
+	var path: String = _write("typo.pcg", "@StartRule\nHousehold --> members { true: stayInsid(0h, 24h, home) }\n")
+	var first: Dictionary = _first_diagnostic(PCGRuleSet.from_file(path))
+	check_equal(first.get("line"), 2, "line")
+	check_equal(first.get("column"), 31, "column")
+	check(str(first.get("message", "") + first.get("hint", "")).contains("stayInside"), "the nearest name is told: %s" % [first])
+
+
+func test_a_missing_or_empty_or_binary_file_is_one_error_each() -> void:
+	var paths: Array[String] = [FOLDER.path_join("none.cga"), _write("empty.cga", ""), FOLDER]
+	for path: String in paths:
+		var rules: PCGRuleSet = PCGRuleSet.from_file(path)
+		check(rules.has_errors(), "%s is refused" % path)
+		check_equal(rules.get_diagnostics().size(), 1, "%s gives one message" % path)
+
+
+func test_rules_may_stand_in_the_resource_itself() -> void:
+	var rules := PCGRuleSet.new()
+	rules.source = "@StartRule\nLot --> X.\n"
+	check(not rules.has_errors(), "compiles: %s" % [rules.get_diagnostics()])
+	check_equal(rules.get_start_rules(), PackedStringArray(["Lot"]), "the start rule")
+
+
+func test_a_reloaded_file_shows_its_new_text() -> void:
+	var path: String = _write("again.cga", "@StartRule\nLot --> X.\n")
+	var rules: PCGRuleSet = PCGRuleSet.from_file(path)
+	_write("again.cga", "@StartRule\nHouse --> X.\n")
+	rules.reload()
+	check_equal(rules.get_start_rules(), PackedStringArray(["House"]), "the new start rule")
+
+
+func test_a_household_table_tells_shares_and_refuses_bad_rows() -> void:
+	var table: PCGHouseholdTable = PCGHouseholdTable.from_file("res://rules/data/households_us_acs2023.csv")
+	check(not table.has_errors(), "the shipped table is good: %s" % [table.get_diagnostics()])
+	var sum := 0.0
+	for household: Dictionary in table.get_households():
+		sum += household["share"]
+	check_near(sum, 1.0, 1e-9, "shares add up")
+	var wrong: PCGHouseholdTable = PCGHouseholdTable.from_file(_write("wrong.csv", "descriptor,count\none adult,-5\n"))
+	check(wrong.has_errors(), "a negative count is refused")
+	check_equal(wrong.get_diagnostics()[0]["line"], 2, "the row is named")
+	check(PCGHouseholdTable.from_file(_write("none.csv", "descriptor,count\n")).has_errors(), "no rows are refused")
