@@ -114,6 +114,7 @@ double live(const Request &request, Simulation &simulation, InvariantChecker &ch
 	const Duration step{ std::max(shortest_check.ms, between) };
 	double seconds = 0.0;
 	auto last_told = Clock::now();
+	bool has_told = false;
 	const auto timed = [&](auto &&work) {
 		const Clock::time_point start = Clock::now();
 		work();
@@ -128,9 +129,13 @@ double live(const Request &request, Simulation &simulation, InvariantChecker &ch
 		timed([&] { simulation.advance_to(std::min(simulation.now() + step, end)); });
 		if (Clock::now() - last_told > std::chrono::seconds(2)) {
 			last_told = Clock::now();
+			has_told = true;
 			std::fprintf(stderr, "\rsimulate: day %lld, %s", (long long)simulation.now().day(),
 					clock_text(simulation.now().time_of_day()).c_str());
 		}
+	}
+	if (has_told) {
+		std::fputc('\n', stderr);
 	}
 	simulation.flush_lived();
 	checker.finish();

@@ -95,7 +95,6 @@ std::string Storyteller::names(const std::vector<PersonId> &who, size_t first) {
 
 std::vector<Stretch> Storyteller::stretches_of(const std::vector<LivedEntry> &entries, PersonId id) const {
 	std::vector<Stretch> result;
-	Target before;
 	for (const LivedEntry &entry : entries) {
 		if (entry.person != id) {
 			continue;
@@ -107,7 +106,9 @@ std::vector<Stretch> Storyteller::stretches_of(const std::vector<LivedEntry> &en
 			result.back().end = entry.end;
 			continue;
 		}
-		before = result.empty() ? Target{} : (result.back().state == PersonState::Walking ? before : result.back().place);
+		const bool was_walking = !result.empty() && result.back().state == PersonState::Walking;
+		const bool turns_round = was_walking && entry.state == PersonState::Walking;
+		const Target before = result.empty() || turns_round ? Target{} : (was_walking ? result.back().from : result.back().place);
 		result.push_back({ id, entry.start, entry.end, entry.state, entry.place, before, entry.leader });
 	}
 	return result;
@@ -135,9 +136,7 @@ void Storyteller::add(const Stretch &stretch) {
 			break;
 		}
 		case PersonState::Inside:
-			if (!stretch.from.is_none()) {
-				add_line(stretch.start, 0, stretch.person, "@is at " + place);
-			}
+			add_line(stretch.start, 0, stretch.person, "@is at " + place);
 			break;
 		case PersonState::AtPlace:
 			add_line(stretch.start, 0, stretch.person,

@@ -1,0 +1,84 @@
+#include <doctest/doctest.h>
+
+#include <cstdio>
+
+#include "core/io/png.h"
+#include "core/io/trace_csv.h"
+#include "tests/core/sim/town.h"
+
+using namespace pcg;
+using namespace pcg::test;
+
+namespace {
+
+// One person who goes to a shop 60 m away for an hour.
+struct ShopTown {
+	Town town;
+	PersonId ana;
+
+	ShopTown() {
+		const BuildingId home = town.building("house", 0.0f);
+		const BuildingId shop = town.building("shop", 60.0f);
+		town.household(home);
+		ana = town.person(36.0f);
+		town.go(ana, at(10), at(11), shop);
+	}
+};
+
+std::string text_of(const std::string &path) {
+	const Result<std::string> text = read_file(path);
+	std::remove(path.c_str());
+	return text ? *text : std::string();
+}
+
+} // namespace
+
+TEST_CASE("a trace has a row for every event, with the seconds since the start") {
+	const std::string path = "build/tests/trace.csv";
+	ShopTown t;
+	Simulation &simulation = t.town.simulate();
+	Diagnostics diagnostics;
+	{
+		AtomicFile file(path);
+		TraceWriter writer(file, moment(0, 9));
+		simulation.add_observer(writer);
+		simulation.start(moment(0, 9));
+		simulation.advance_to(moment(0, 10, 30));
+		CHECK(file.commit(diagnostics));
+	}
+	CHECK(text_of(path) == "seconds,person,event,place,x,z\n"
+						   "3600.000,0,task-started,building:1,0.00,0.00\n"
+						   "3600.000,0,left-building,building:0,0.00,0.00\n"
+						   "3600.000,0,set-out,building:1,0.00,0.00\n"
+						   "3660.000,0,entered-building,building:1,60.00,0.00\n");
+}
+
+TEST_CASE("lived rows carry the numbers of the user's files") {
+	const std::string path = "build/tests/lived.csv";
+	ShopTown t;
+	Simulation &simulation = t.town.simulate();
+	LivedLog log;
+	simulation.add_observer(log);
+	simulation.start(moment(0, 9));
+	simulation.advance_to(moment(0, 10, 1));
+	simulation.flush_lived();
+	FileIds buildings;
+	buildings.add(100);
+	buildings.add(200);
+	Diagnostics diagnostics;
+	CHECK(write_lived_csv(path, t.town.city, t.town.population, log, { .buildings = &buildings }, diagnostics));
+	const std::string text = text_of(path);
+	CHECK(text.find(",36,0,09:00:00,10:00:00,3600.000,inside,building:100,house,0.00,0.00,0.0,,home,,\n") != std::string::npos);
+	CHECK(text.find(",36,0,10:00:00,10:01:00,60.000,walking,building:200,shop,60.00,0.00,60.0,,goToBuilding,10:00:00,11:00:00\n") !=
+			std::string::npos);
+}
+
+TEST_CASE("pictures are PNG files; what cannot be written is one error") {
+	const std::string path = "build/tests/picture.png";
+	Diagnostics diagnostics;
+	CHECK(write_png(path, { 2, 1, { 255, 0, 0, 0, 0, 255 } }, diagnostics));
+	CHECK(text_of(path).substr(1, 3) == "PNG");
+	CHECK(!write_png("/dev/null/picture.png", { 1, 1, { 0, 0, 0 } }, diagnostics));
+	CHECK(!write_png(path, {}, diagnostics));
+	CHECK(diagnostics.error_count() == 2);
+}
