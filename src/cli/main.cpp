@@ -14,6 +14,7 @@ extern const Command agenda_command;
 extern const Command check_command;
 extern const Command derive_command;
 extern const Command docs_command;
+extern const Command simulate_command;
 
 namespace {
 
@@ -22,6 +23,7 @@ const Command *const commands[] = {
 	&check_command,
 	&derive_command,
 	&docs_command,
+	&simulate_command,
 };
 
 void print(std::FILE *stream, std::string_view text) { std::fwrite(text.data(), 1, text.size(), stream); }
