@@ -72,6 +72,10 @@ private:
 			return _csv.at(row, size_t(_descriptor), "sub-row", "'" + descriptor + "' is a part of a row above and counted there already",
 					"take its count off that row, and write the whole descriptor without the dots");
 		}
+		if (descriptor.starts_with("Total ") || descriptor.starts_with("total ") || descriptor == "Total" || descriptor == "total") {
+			return _csv.at(row, size_t(_descriptor), "total-row", "'" + descriptor + "' counts the households of other rows once more",
+					"remove this row");
+		}
 		const Result<double> weight = read_count(row);
 		if (!weight) {
 			return weight.diagnostic();

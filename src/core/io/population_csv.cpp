@@ -91,7 +91,8 @@ private:
 	}
 
 	bool join_household(Row &row, int64_t number) {
-		if (_result.household_ids.add(number)) {
+		if (_result.household_ids.index_of(number) == index_of(HouseholdId::Invalid)) {
+			_result.household_ids.add(number);
 			_members.emplace_back();
 		}
 		std::vector<Row> &members = _members[_result.household_ids.index_of(number)];

@@ -68,6 +68,7 @@ TEST_CASE("unknown wording names the row and what is understood") {
 
 TEST_CASE("a part of a row above is refused, or it would be counted twice") {
 	CHECK(problem_of("household_type,count\nMarried-couple household,10\n..with own children under 18,4\n").id == "sub-row");
+	CHECK(problem_of("household_type,count\nTotal households,10\nMarried-couple household,10\n").id == "total-row");
 }
 
 TEST_CASE("tables that are no tables are told apart") {

@@ -36,6 +36,18 @@ TEST_CASE("people are read with their own numbers, members of a household togeth
 	CHECK(population.persons[2].household == HouseholdId(1));
 }
 
+TEST_CASE("households that begin after others went on keep their members") {
+	const auto file = parse_population("household,person,home,age,gender,speed\n5,1,10,30,w,1\n5,2,10,31,w,1\n6,3,20,32,w,1\n5,4,10,33,w,1\n9,5,20,34,w,1\n",
+			"people.csv", buildings());
+	REQUIRE(file.is_ok());
+	REQUIRE(file->population.households.size() == 3);
+	CHECK(file->population.households[0].member_count == 3);
+	CHECK(file->population.persons[2].age == 33.0f);
+	CHECK(file->population.persons[4].age == 34.0f);
+	CHECK(file->household_ids.number_of(2) == 9);
+	CHECK(file->person_ids.number_of(2) == 4);
+}
+
 TEST_CASE("what is wrong with a row of people is told") {
 	CHECK(problem_of("1,1,30,34,w,1.4\n") == "unknown-building");
 	CHECK(problem_of("1,1,10,34,x,1.4\n") == "bad-gender");
