@@ -2,6 +2,8 @@ extends Node3D
 ## A city from above with people in it. Saves a picture and ends when it is started with
 ##
 ##     godot --path . demo/showcase.tscn -- --screenshot FILE.png [--hour 7.9] [--view X,Z,YAW,PITCH,DISTANCE]
+##
+## The picture in the README is --hour 16.01 --view -168,38,42,27,62.
 
 const SECONDS_PER_HOUR := 3600.0
 const FRAMES_BEFORE_PICTURE := 8 ## shadows and sky need a few
