@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <tuple>
 
 namespace pcg {
 
@@ -116,6 +117,13 @@ void Diagnostics::add(Diagnostic diagnostic) {
 	++(diagnostic.severity == Severity::Error ? _errors : _warnings);
 	if (_list.size() < _limit) {
 		_list.push_back(std::move(diagnostic));
+		return;
+	}
+	// An error is never left out for the sake of a warning.
+	const auto warning = std::find_if(_list.rbegin(), _list.rend(), [](const Diagnostic &d) { return d.severity == Severity::Warning; });
+	if (diagnostic.severity == Severity::Error && warning != _list.rend()) {
+		_list.erase(std::next(warning).base());
+		_list.push_back(std::move(diagnostic));
 	}
 }
 
@@ -129,6 +137,19 @@ void Diagnostics::append(const Diagnostics &other) {
 	}
 	_errors += left_out_errors;
 	_warnings += left_out - left_out_errors;
+}
+
+void Diagnostics::sort() {
+	std::vector<std::string> files;
+	for (const Diagnostic &diagnostic : _list) {
+		if (std::find(files.begin(), files.end(), diagnostic.file) == files.end()) {
+			files.push_back(diagnostic.file);
+		}
+	}
+	const auto rank = [&](const Diagnostic &diagnostic) {
+		return std::tuple(std::find(files.begin(), files.end(), diagnostic.file), diagnostic.line, diagnostic.column);
+	};
+	std::stable_sort(_list.begin(), _list.end(), [&](const Diagnostic &a, const Diagnostic &b) { return rank(a) < rank(b); });
 }
 
 void Diagnostics::error(std::string_view id, std::string message, std::string hint) {

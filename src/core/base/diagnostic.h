@@ -26,13 +26,15 @@ struct Diagnostic {
 // "file:12:5: error: ... [unknown-name]", then the source line with a caret and the hint, each on a line of its own.
 std::string to_text(const Diagnostic &diagnostic);
 
-// Many diagnostics of one run. Keeps the first `limit`, counts all.
+// Many diagnostics of one run. Keeps the first `limit` (errors rather than warnings), counts all.
 class Diagnostics {
 public:
 	explicit Diagnostics(size_t limit = 200) : _limit(limit) {}
 
 	void add(Diagnostic diagnostic);
 	void append(const Diagnostics &other);
+	// By line and column within each file; files stay in the order in which they came first.
+	void sort();
 	// For messages that have no place in a file.
 	void error(std::string_view id, std::string message, std::string hint = {});
 	void warning(std::string_view id, std::string message, std::string hint = {});

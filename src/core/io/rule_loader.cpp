@@ -51,8 +51,12 @@ Result<std::string> MemorySourceProvider::read(const std::string &path) {
 
 std::shared_ptr<const Program> load_program(const std::string &path, const Dialect &dialect, SourceProvider &provider,
 		Diagnostics &diagnostics) {
-	const RuleSet set = load_rule_set(path, dialect, provider, diagnostics);
-	return compile(set, dialect, diagnostics);
+	Diagnostics found;
+	const RuleSet set = load_rule_set(path, dialect, provider, found);
+	auto program = compile(set, dialect, found);
+	found.sort();
+	diagnostics.append(found);
+	return program;
 }
 
 std::shared_ptr<const Program> load_program(const std::string &path, const Dialect &dialect, Diagnostics &diagnostics) {

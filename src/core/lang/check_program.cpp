@@ -32,7 +32,7 @@ void Compiler::spread(std::vector<bool> &reached) const {
 void Compiler::warn_at(std::string_view id, const SourcePlace &at, std::string message, std::string hint) {
 	const Source &source = *_program->sources[at.file];
 	_diagnostics.add({ Severity::Warning, id, source.name(), at.line, at.column, std::move(message), std::move(hint),
-			std::string(source.line(at.line).substr(0, 2000)) });
+			source.excerpt(at.line, at.column) });
 }
 
 void Compiler::warn_unused_and_phases() {

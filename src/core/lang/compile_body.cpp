@@ -129,6 +129,9 @@ void Compiler::call_command(const Command &command) {
 // set(name, expr): the name is seen by this rule from here on and by the rules that it calls after it.
 void Compiler::set_local(const Command &command) {
 	const auto list = _scope.ast->list(command.arguments);
+	if (is_broken(command.arguments)) {
+		return;
+	}
 	if (list.size() != 2) {
 		complain("wrong-argument-count", command.offset, "`set` does not take " + std::to_string(list.size()) + " arguments",
 				"it is set(name, value)");
@@ -136,9 +139,7 @@ void Compiler::set_local(const Command &command) {
 	}
 	const Expr &target = _scope.ast->exprs[list[0]];
 	if (target.kind != ExprKind::Name || target.name.find('.') != std::string_view::npos) {
-		if (target.kind != ExprKind::Error) {
-			complain("not-a-name", target.offset, "`set` needs a plain name first", "as in set(time, 5m)");
-		}
+		complain("not-a-name", target.offset, "`set` needs a plain name first", "as in set(time, 5m)");
 		return;
 	}
 	expression(list[1]);
@@ -185,7 +186,7 @@ void Compiler::operation_call(int operation, const Command &command) {
 
 void Compiler::unknown_command(const Command &command) {
 	if (_set.has_rule(_scope.space, command.name) || _dialect.has_operation(command.name)) {
-		wrong_count(command.name, command.arguments.count, command.offset);
+		wrong_count(command.name, command.arguments, command.offset);
 		return;
 	}
 	if (_dialect.has_function(command.name) || _set.has_value(_scope.space, command.name)) {

@@ -63,29 +63,44 @@ std::string signature(std::string_view name, const std::vector<ParamSpec> &param
 
 } // namespace
 
-void Compiler::wrong_count(std::string_view name, size_t count, uint32_t offset) {
+// "Day(start), or Day(start, end)"
+std::string Compiler::forms_of(std::string_view name) const {
 	std::string forms;
+	const auto add = [&](const std::string &form) { forms += (forms.empty() ? "" : ", or ") + form; };
 	for (const FunctionSpec &spec : _dialect.functions) {
 		if (spec.name == name) {
-			forms += (forms.empty() ? "" : ", or ") + signature(name, spec.params);
+			add(signature(name, spec.params));
 		}
 	}
 	for (const OperationSpec &spec : _dialect.operations) {
 		if (spec.name == name) {
-			forms += (forms.empty() ? "" : ", or ") + signature(name, spec.params);
+			add(signature(name, spec.params));
 		}
 	}
 	for (const Definition &definition : _definitions) {
 		if (definition.name == name) {
-			forms += (forms.empty() ? "" : ", or ") + std::string(name) + "(";
+			std::string params;
 			for (const AstParam &param : definition.item->params) {
-				forms += (&param == definition.item->params.data() ? "" : ", ") + std::string(param.name);
+				params += (params.empty() ? "" : ", ") + std::string(param.name);
 			}
-			forms += ")";
+			add(std::string(name) + "(" + params + ")");
 		}
 	}
+	return forms;
+}
+
+bool Compiler::is_broken(NodeRange list) const {
+	const auto values = _scope.ast->list(list);
+	return std::any_of(values.begin(), values.end(), [&](uint32_t id) { return _scope.ast->exprs[id].kind == ExprKind::Error; });
+}
+
+void Compiler::wrong_count(std::string_view name, NodeRange list, uint32_t offset) {
+	if (is_broken(list)) {
+		return;
+	}
+	const std::string forms = forms_of(name);
 	complain("wrong-argument-count", offset,
-			"`" + std::string(name) + "` does not take " + std::to_string(count) + (count == 1 ? " argument" : " arguments"),
+			"`" + std::string(name) + "` does not take " + std::to_string(list.count) + (list.count == 1 ? " argument" : " arguments"),
 			forms.empty() ? std::string() : "it is " + forms);
 }
 
@@ -217,7 +232,7 @@ Compiler::Known Compiler::call(const Expr &expr) {
 		return call_builtin(uint32_t(function), expr.name, expr.children, expr.offset);
 	}
 	if (_set.has_value(_scope.space, expr.name) || _dialect.has_function(expr.name)) {
-		wrong_count(expr.name, expr.children.count, expr.offset);
+		wrong_count(expr.name, expr.children, expr.offset);
 	} else if (_dialect.has_operation(expr.name)) {
 		complain("not-a-value", expr.offset, "`" + std::string(expr.name) + "` is an operation: it has no value");
 	} else {

@@ -132,7 +132,9 @@ private:
 	int choose_operation(std::string_view name, NodeRange list) const;
 	template <typename Spec> int choose(const std::vector<Spec> &specs, std::string_view name, NodeRange list) const;
 	bool words_fit(const std::vector<ParamSpec> &params, NodeRange list) const;
-	void wrong_count(std::string_view name, size_t count, uint32_t offset);
+	bool is_broken(NodeRange list) const; // was diagnosed by the parser
+	void wrong_count(std::string_view name, NodeRange list, uint32_t offset);
+	std::string forms_of(std::string_view name) const;
 
 	// compile_body.cpp
 	void body(uint32_t body);

@@ -28,6 +28,7 @@ private:
 	bool skip_comment();
 	void add(TokenKind kind, size_t length);
 	void match_bracket(TokenKind kind);
+	void close_before_rule();
 	void read_name();
 	void read_number();
 	void read_time(size_t number_end);
@@ -107,9 +108,28 @@ void Lexer::add(TokenKind kind, size_t length) {
 	match_bracket(kind);
 }
 
+// `Name -->` at the start of a line begins a rule: what is open there was forgotten to be closed, and must not find its partner in a later rule.
+// Only the lists behind imports hold rules inside of parentheses.
+void Lexer::close_before_rule() {
+	const std::vector<Token> &tokens = _list.tokens;
+	if (_open.empty() || tokens.size() < 2) {
+		return;
+	}
+	const Token &last = tokens[tokens.size() - 2];
+	const Token &name = last.kind == TokenKind::CloseParen && last.match > 0 ? tokens[last.match - 1] : last;
+	const bool is_in_import = _open.front() > 0 && tokens[_open.front() - 1].kind == TokenKind::String;
+	if (name.kind == TokenKind::Name && name.starts_line && !is_in_import) {
+		_open.clear();
+	}
+}
+
 void Lexer::match_bracket(TokenKind kind) {
 	std::vector<Token> &tokens = _list.tokens;
 	const uint32_t here = uint32_t(tokens.size() - 1);
+	if (kind == TokenKind::Arrow || kind == TokenKind::PaperArrow) {
+		close_before_rule();
+		return;
+	}
 	if (kind == TokenKind::OpenParen || kind == TokenKind::OpenBrace || kind == TokenKind::OpenBracket) {
 		_open.push_back(here);
 		if (_open.size() > max_nesting) {

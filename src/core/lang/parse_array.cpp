@@ -6,9 +6,9 @@ namespace pcg {
 uint32_t Parser::parse_components(Expr call) {
 	call.kind = ExprKind::Components;
 	AstBlock block;
+	const Inside inside(*this, _at);
 	block.offset = take().offset;
 	std::vector<uint32_t> entries;
-	++_brackets;
 	do {
 		AstEntry entry;
 		entry.offset = peek().offset;
@@ -21,7 +21,6 @@ uint32_t Parser::parse_components(Expr call) {
 		_ast.entries.push_back(entry);
 		entries.push_back(uint32_t(_ast.entries.size() - 1));
 	} while (!_panic && accept(TokenKind::Bar));
-	--_brackets;
 	expect(TokenKind::CloseBrace, "after the selectors");
 	block.entries = add_children(entries);
 	_ast.blocks.push_back(block);
@@ -32,15 +31,14 @@ uint32_t Parser::parse_components(Expr call) {
 uint32_t Parser::parse_array() {
 	Expr array;
 	array.kind = ExprKind::Array;
+	const Inside inside(*this, _at);
 	array.offset = take().offset;
 	std::vector<uint32_t> rows;
-	++_brackets;
 	if (!is(TokenKind::CloseBracket)) {
 		do {
 			rows.push_back(parse_array_row(peek().offset));
 		} while (!_panic && accept(TokenKind::Semicolon));
 	}
-	--_brackets;
 	expect(TokenKind::CloseBracket, "after the array");
 	array.children = add_children(rows);
 	return add(array);

@@ -169,16 +169,12 @@ uint32_t Parser::parse_group() {
 	command.kind = CommandKind::Group;
 	const uint32_t open = _at;
 	command.offset = take().offset;
-	++_brackets;
+	const Inside inside(*this, open);
 	command.body = parse_body({});
-	--_brackets;
 	if (!is(TokenKind::CloseBracket) && !_panic) {
 		unexpected("a command or `]`");
 	}
-	if (_panic && _tokens[open].match != 0) {
-		_at = std::max(_at, _tokens[open].match);
-		_panic = false;
-	}
+	recover_behind(open);
 	accept(TokenKind::CloseBracket);
 	return add(command);
 }
@@ -197,9 +193,8 @@ uint32_t Parser::parse_inline() {
 		expect(TokenKind::CloseParen, "after it");
 	}
 	if (accept(TokenKind::OpenBrace)) {
-		++_brackets;
+		const Inside inside(*this, _at - 1);
 		command.body = parse_body({});
-		--_brackets;
 		expect(TokenKind::CloseBrace, "after the inlined commands");
 	} else {
 		command.body = add_body({ parse_command() });
@@ -249,20 +244,16 @@ uint32_t Parser::parse_block() {
 	block.offset = take().offset;
 	std::vector<uint32_t> entries;
 	Depth depth(*this);
-	++_brackets;
+	const Inside inside(*this, open);
 	if (depth.is_fine() && !is(TokenKind::CloseBrace)) {
 		do {
 			entries.push_back(parse_entry());
 		} while (!_panic && accept(TokenKind::Bar));
 	}
-	--_brackets;
 	if (!is(TokenKind::CloseBrace) && !_panic) {
 		unexpected("`|` or `}`");
 	}
-	if (_panic && _tokens[open].match != 0) {
-		_at = std::max(_at, _tokens[open].match);
-		_panic = false;
-	}
+	recover_behind(open);
 	accept(TokenKind::CloseBrace);
 	block.entries = add_children(entries);
 	_ast.blocks.push_back(block);

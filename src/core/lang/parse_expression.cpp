@@ -220,13 +220,12 @@ uint32_t Parser::parse_postfix() {
 		}
 		Expr index;
 		index.kind = ExprKind::Index;
+		const Inside inside(*this, _at);
 		index.offset = take().offset;
-		++_brackets;
 		std::vector<uint32_t> children = { value, parse_expression() };
 		while (accept(TokenKind::Comma)) {
 			children.push_back(parse_expression());
 		}
-		--_brackets;
 		expect(TokenKind::CloseBracket, "after the index");
 		index.children = add_children(children);
 		value = add(index);
@@ -247,10 +246,9 @@ uint32_t Parser::parse_primary() {
 			expr.name = decode_string(take());
 			return add(expr);
 		case TokenKind::OpenParen: {
+			const Inside inside(*this, _at);
 			take();
-			++_brackets;
 			const uint32_t inner = parse_expression();
-			--_brackets;
 			expect(TokenKind::CloseParen, "after the expression");
 			return inner;
 		}
@@ -292,20 +290,19 @@ std::vector<uint32_t> Parser::parse_arguments() {
 	std::vector<uint32_t> arguments;
 	const uint32_t open = _at;
 	take();
-	++_brackets;
+	const Inside inside(*this, open);
 	if (!is(TokenKind::CloseParen)) {
 		do {
 			arguments.push_back(parse_expression());
 		} while (!_panic && accept(TokenKind::Comma));
 	}
-	--_brackets;
 	if (!is(TokenKind::CloseParen) && !_panic) {
 		unexpected("`,` or `)`");
 	}
-	if (_panic && _tokens[open].match != 0) {
-		_at = std::max(_at, _tokens[open].match);
-		_panic = false;
+	if (_panic) { // Whoever counts the arguments sees that they are not what was meant.
+		arguments.push_back(error_expr());
 	}
+	recover_behind(open);
 	accept(TokenKind::CloseParen);
 	return arguments;
 }

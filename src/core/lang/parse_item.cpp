@@ -106,18 +106,14 @@ std::vector<AstOverride> Parser::parse_overrides() {
 	std::vector<AstOverride> overrides;
 	const uint32_t open = _at;
 	take();
-	++_brackets;
+	const Inside inside(*this, open);
 	while (!is(TokenKind::CloseParen) && !is(TokenKind::End) && !_panic) {
 		overrides.push_back(parse_override());
 		if (!is(TokenKind::CloseParen) && !_panic) {
 			expect(TokenKind::Comma, "between overrides");
 		}
 	}
-	--_brackets;
-	if (_panic && _tokens[open].match != 0) {
-		_at = _tokens[open].match;
-		_panic = false;
-	}
+	recover_behind(open);
 	expect(TokenKind::CloseParen, "after the overrides");
 	return overrides;
 }
@@ -164,8 +160,8 @@ std::vector<AstParam> Parser::parse_params() {
 std::vector<AstLocal> Parser::parse_with() {
 	std::vector<AstLocal> locals;
 	take();
+	const Inside inside(*this, _at);
 	take();
-	++_brackets;
 	while (is(TokenKind::Name) && !_panic) {
 		AstLocal local;
 		local.offset = peek().offset;
@@ -175,7 +171,6 @@ std::vector<AstLocal> Parser::parse_with() {
 		locals.push_back(local);
 		accept(TokenKind::Comma);
 	}
-	--_brackets;
 	expect(TokenKind::CloseParen, "after the local values");
 	return locals;
 }

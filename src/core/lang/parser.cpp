@@ -73,6 +73,14 @@ bool Parser::Depth::is_fine() {
 	return false;
 }
 
+// After a mistake inside of a bracket that is closed, the parser goes on behind it.
+void Parser::recover_behind(uint32_t open) {
+	if (_panic && _tokens[open].match != 0) {
+		_at = std::max(_at, _tokens[open].match);
+		_panic = false;
+	}
+}
+
 NodeRange Parser::add_children(const std::vector<uint32_t> &list) {
 	const NodeRange range = { uint32_t(_ast.children.size()), uint32_t(list.size()) };
 	_ast.children.insert(_ast.children.end(), list.begin(), list.end());
@@ -146,7 +154,6 @@ bool Parser::starts_item() const {
 // Skips to something that can only be the beginning of an item: a keyword, an annotation, `Name -->`, or `name =` at the start of a line.
 void Parser::synchronize() {
 	_panic = false;
-	_brackets = 0;
 	_annotations.clear();
 	const uint32_t begin = _at;
 	while (!is(TokenKind::End)) {

@@ -114,6 +114,20 @@ private:
 		Parser &_parser;
 	};
 
+	// The inside of a bracket, where no item can begin; one that is never closed does not count.
+	class Inside {
+	public:
+		Inside(Parser &parser, uint32_t open) : _parser(parser), _count(parser._tokens[open].match != 0 ? 1 : 0) {
+			_parser._brackets += _count;
+		}
+		~Inside() { _parser._brackets -= _count; }
+
+	private:
+		Parser &_parser;
+		uint32_t _count;
+	};
+	void recover_behind(uint32_t open);
+
 	const Source &_source;
 	const TokenList &_list;
 	const std::vector<Token> &_tokens;

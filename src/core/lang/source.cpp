@@ -35,9 +35,12 @@ std::string_view Source::line(uint32_t line_number) const {
 
 Diagnostic Source::diagnostic(Severity severity, std::string_view id, uint32_t offset, std::string message, std::string hint) const {
 	const Position at = position(offset);
-	// A diagnostic holds its line for good: lines of megabytes are cut, the caret's surroundings are kept by to_text anyway.
-	constexpr size_t longest = 2000;
-	return { severity, id, _name, at.line, at.column, std::move(message), std::move(hint), std::string(line(at.line).substr(0, longest)) };
+	return { severity, id, _name, at.line, at.column, std::move(message), std::move(hint), excerpt(at.line, at.column) };
+}
+
+std::string Source::excerpt(uint32_t line_number, uint32_t column) const {
+	constexpr uint32_t longest = 2000; // a diagnostic holds it for good, and there may be hundreds
+	return column > longest ? std::string() : std::string(line(line_number).substr(0, longest));
 }
 
 namespace {

@@ -25,6 +25,8 @@ public:
 	Position position(uint32_t offset) const;
 	// Without its line end; empty for lines that do not exist.
 	std::string_view line(uint32_t line_number) const;
+	// The line for a diagnostic's caret; empty where it is so long that showing it helps nobody.
+	std::string excerpt(uint32_t line_number, uint32_t column) const;
 	// A diagnostic at that offset, with the source line.
 	Diagnostic diagnostic(Severity severity, std::string_view id, uint32_t offset, std::string message, std::string hint = {}) const;
 

@@ -340,7 +340,7 @@ Diagnostic Vm::diagnostic_here(Severity severity, std::string_view id, std::stri
 	Diagnostic diagnostic = { severity, id, {}, at.line, at.column, std::move(message), std::move(hint), {} };
 	if (at.line > 0 && at.file < _program->files.size()) {
 		diagnostic.file = _program->files[at.file];
-		diagnostic.source = std::string(_program->sources[at.file]->line(at.line).substr(0, 2000));
+		diagnostic.source = _program->sources[at.file]->excerpt(at.line, at.column);
 	} else if (!_program->files.empty()) {
 		diagnostic.file = _program->files[0];
 	}

@@ -35,3 +35,16 @@ TEST_CASE("the closest name forgives typing, case and a changed word") {
 	CHECK(closest_name("SitInBecnh", names) == "SitInBench");
 	CHECK(closest_name("Quux", names).empty());
 }
+
+TEST_CASE("diagnostics are sorted by place within each file, and errors are kept when there is no room") {
+	Diagnostics diagnostics(2);
+	diagnostics.add({ Severity::Warning, "late", "b", 9, 1, "", "", "" });
+	diagnostics.add({ Severity::Warning, "dropped", "b", 2, 1, "", "", "" });
+	diagnostics.add({ Severity::Error, "early", "b", 3, 1, "", "", "" });
+	diagnostics.sort();
+	REQUIRE(diagnostics.list().size() == 2);
+	CHECK(diagnostics.list()[0].id == "early");
+	CHECK(diagnostics.list()[1].id == "late");
+	CHECK(diagnostics.error_count() == 1);
+	CHECK(diagnostics.warning_count() == 2);
+}

@@ -96,7 +96,7 @@ TEST_CASE("nesting is limited in every construct that nests") {
 		INFO(text.substr(0, 40));
 		INFO(to_text(diagnostics));
 		CHECK(diagnostics.error_count() == 1);
-		CHECK(diagnostics.list()[0].id == "nested-too-deeply");
+		CHECK(places_of(diagnostics).find("nested-too-deeply") != std::string::npos);
 	}
 }
 

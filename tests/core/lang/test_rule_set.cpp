@@ -93,7 +93,7 @@ TEST_CASE("shapes: rules of an import can be replaced") {
 
 TEST_CASE("shapes: what is not supported yet is said once where it stands") {
 	CHECK(run_shapes({ { "main", "import a : \"lib\"\nStart --> a(h = 3).Go\nstyle Night\nStart --> log(9)" }, { "lib", "attr h = 5 Go --> log(h)" } }) ==
-			"not-supported 3:1; not-supported 2:11 | a.Go 5");
+			"not-supported 2:11; not-supported 3:1 | a.Go 5");
 	CHECK(check_shape("a = [1:3] b = comp(fe) { all: 1 } c = [1] .+ [2]\nLot --> log(a)") ==
 			"not-supported 1:7; not-supported 1:15; not-supported 1:43");
 }
