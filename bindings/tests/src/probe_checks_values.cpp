@@ -37,6 +37,7 @@ PackedStringArray ProbeChecks::run_strings() {
 	return _failed;
 }
 
+// Long because it is a list: one check after the other.
 PackedStringArray ProbeChecks::run_containers() {
 	_failed.clear();
 	Array array = {1, "two", Vector3(3, 3, 3)};
@@ -143,6 +144,7 @@ PackedStringArray ProbeChecks::run_math() {
 }
 
 // The same question to our own functions and to the engine's, by way of a Variant.
+// Long because it is a list: one function after the other.
 PackedStringArray ProbeChecks::run_math_against_engine() {
 	_failed.clear();
 	const Basis basis = Basis::from_euler(Vector3(0.3f, -1.1f, 2.0f)).scaled(Vector3(1, 2, 0.5f));

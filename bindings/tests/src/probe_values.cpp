@@ -11,6 +11,7 @@ TypedArray<int> ProbeValues::make_numbers() const {
 	return numbers;
 }
 
+// Long because it is a table: one line a type.
 void ProbeValues::_bind_methods() {
 #define BIND_ECHO(m_name, m_type)                                                                                      \
 	ClassDB::bind_static_method("ProbeValues", D_METHOD("echo_" m_name, "value"), &ProbeValues::echo<m_type>)
