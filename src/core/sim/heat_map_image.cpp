@@ -80,7 +80,7 @@ double darkest_of(std::vector<double> cells) {
 	if (cells.empty()) {
 		return 1.0;
 	}
-	const size_t rank = std::min(cells.size() - 1, size_t(double(cells.size()) * 0.995));
+	const size_t rank = std::min(cells.size() - 1, size_t(double(cells.size()) * 0.97));
 	std::nth_element(cells.begin(), cells.begin() + long(rank), cells.end());
 	return cells[rank];
 }

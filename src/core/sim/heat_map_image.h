@@ -20,7 +20,8 @@ using GroundPolygon = std::vector<glm::vec3>;
 
 struct HeatMapStyle {
 	uint32_t pixels_per_cell = 2;
-	// Person-seconds per cell that get the darkest color; 0: the 99.5th percentile of the cells that were entered.
+	// Person-seconds per cell that get the darkest color; 0: the 97th percentile of the cells that were
+	// entered, so that a few benches where people sit for hours do not pale all the ways.
 	double darkest = 0.0;
 };
 

@@ -192,7 +192,7 @@ Error CitizenManager::save_heat_map(const String &p_path) const {
 		footprints.push_back(lot.polygon);
 	}
 	Diagnostics diagnostics;
-	write_png(from_godot(to_system_path(p_path)), draw_heat_map(*_life->heat, footprints), diagnostics);
+	write_png(from_godot(to_system_path(p_path)), draw_heat_map(*_life->heat, footprints, { .pixels_per_cell = 4 }), diagnostics);
 	report(diagnostics);
 	return diagnostics.has_errors() ? ERR_FILE_CANT_WRITE : OK;
 }
