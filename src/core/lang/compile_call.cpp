@@ -109,6 +109,12 @@ void Compiler::wrong_count(std::string_view name, NodeRange list, uint32_t offse
 uint32_t Compiler::arguments(const std::vector<ParamSpec> &params, std::string_view name, NodeRange list) {
 	uint32_t mask = 0;
 	const auto values = _scope.ast->list(list);
+	if (is_broken(list)) { // which form was meant is not known; the mistake in the list has been told
+		for (uint32_t id : values) {
+			emit_constant(Value(), _scope.ast->exprs[id].offset);
+		}
+		return mask;
+	}
 	for (size_t i = 0; i < values.size(); ++i) {
 		const ParamSpec &param = params[std::min(i, params.size() - 1)];
 		mask |= argument(param, name, i, values[i]) ? 1u << std::min<size_t>(i, 31) : 0;
