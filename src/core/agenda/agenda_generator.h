@@ -26,7 +26,7 @@ struct AgendaOptions {
 	uint64_t seed = 1;
 	std::string start_rule; // empty: the one marked @StartRule
 	std::vector<AttributeOverride> overrides;
-	VmLimits limits{ 1000, 2'000'000, 32'768 }; // per household
+	VmLimits limits{ .max_steps = 2'000'000 }; // per household
 	WorkOptions work;
 };
 

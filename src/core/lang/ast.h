@@ -177,6 +177,7 @@ struct Ast {
 	std::vector<AstStyle> styles;
 	std::vector<AstImportCall> import_calls;
 	std::deque<std::string> texts; // decoded strings
+	bool is_abandoned = false; // nothing of the file was read
 	std::vector<std::string_view> lost_names; // of items that had to be skipped: whoever uses them is not wrong because of that
 
 	std::span<const uint32_t> list(NodeRange range) const { return { children.data() + range.first, range.count }; }

@@ -136,6 +136,7 @@ void Lexer::match_bracket(TokenKind kind) {
 			error("nested-too-deeply", tokens[here].offset, "brackets nested deeper than " + std::to_string(max_nesting) + " levels",
 					"give the inner part a rule or function of its own");
 			_list.is_cut_short = true;
+			_list.is_too_deep = true;
 			_is_done = true;
 		}
 		return;

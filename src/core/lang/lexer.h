@@ -65,6 +65,7 @@ struct Token {
 
 struct TokenList {
 	std::vector<Token> tokens; // the last one is End
+	bool is_too_deep = false; // brackets beyond max_nesting: not worth parsing
 	bool is_cut_short = false; // the lexer gave up and has said why: what the parser misses at the end follows from that
 };
 

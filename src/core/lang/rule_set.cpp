@@ -126,6 +126,7 @@ void Loader::load_module(uint32_t file, uint32_t space, uint32_t depth) {
 	const uint32_t module = uint32_t(_set.modules.size());
 	_set.modules.push_back({ file, space, depth });
 	_stack.push_back(_set.files[file]->path);
+	_set.spaces[space].is_missing |= _set.files[file]->ast.is_abandoned;
 	define_items(module);
 	for (const AstImport &import : _set.files[file]->ast.imports) {
 		load_import(module, import);

@@ -74,7 +74,7 @@ TEST_CASE("ten megabytes of brackets are refused at once") {
 		CHECK(diagnostics.error_count() >= 1);
 		const double seconds = double(std::clock() - begin) / CLOCKS_PER_SEC;
 		INFO(piece, " took ", seconds, " s");
-		CHECK(seconds < 5.0); // a tenth of that in a release build; sanitizers are slow
+		CHECK(seconds < 20.0); // well under one in a release build; sanitizers are slow
 	}
 }
 
