@@ -250,7 +250,7 @@ int run_derive(std::span<const std::string_view> raw) {
 		if (request.report != "-") {
 			print_summary(model, seconds);
 		}
-		is_done &= request.out.empty() || write_model(model, request.out, diagnostics);
+		is_done = is_done && (request.out.empty() || write_model(model, request.out, diagnostics));
 		if (!request.report.empty()) {
 			const std::string text = report_json(model, diagnostics, seconds).dump(1, '\t', false, json::error_handler_t::replace) + "\n";
 			is_done &= request.report == "-" ? std::fwrite(text.data(), 1, text.size(), stdout) == text.size() : write_file(request.report, text, diagnostics);

@@ -81,5 +81,10 @@ int run(std::span<const std::string_view> args) {
 
 int main(int argc, char **argv) {
 	const std::vector<std::string_view> args(argv + (argc > 0 ? 1 : 0), argv + argc);
-	return pcg::cli::run(args);
+	const int status = pcg::cli::run(args);
+	if (std::fflush(stdout) != 0 || std::ferror(stdout)) {
+		std::fputs("pcg: standard output could not be written to its end; is the disk full?\n", stderr);
+		return 1;
+	}
+	return status;
 }

@@ -263,6 +263,11 @@ double Context::finite(const Value &value) {
 		vm.warn("not-finite", "this number is infinite or not a number; 0 is taken instead", "look for a division by zero or a root of a negative number");
 		return 0.0;
 	}
+	// Far beyond any city: such sizes leave what the exchange formats can say.
+	if (std::abs(value.number) > 1e9) {
+		vm.warn("too-large", "this number is beyond 1e9; 0 is taken instead", "lengths are metres");
+		return 0.0;
+	}
 	return value.number;
 }
 

@@ -37,6 +37,7 @@ Wavefront::Wavefront(const std::vector<std::vector<glm::dvec2>> &loops, const st
 		set_velocity(vertex);
 		_active.push_back(uint32_t(&vertex - _vertices.data()));
 	}
+	_changes_left = 8 * _vertices.size() + 64;
 }
 
 // Repeated points are left out: their edge has no length and no face.
@@ -208,7 +209,7 @@ bool Wavefront::run(double max_time) {
 	size_t events_left = 8 * _vertices.size() + 64;
 	while (!_active.empty()) {
 		const double time = next_event(max_time);
-		if (time == never || events_left-- == 0) {
+		if (time == never || events_left-- == 0 || !has_work_left()) {
 			return false;
 		}
 		const bool is_last = time >= max_time;
@@ -225,13 +226,19 @@ bool Wavefront::run(double max_time) {
 }
 
 bool Wavefront::clean_up() {
-	for (size_t changes = 0; collapse_one() || fold_one() || split_one(); ++changes) {
+	while (collapse_one() || fold_one() || split_one()) {
 		remove_dead();
-		if (changes > 4 * _vertices.size() + 64) {
+		if (_changes_left-- == 0 || !has_work_left()) {
 			return false;
 		}
 	}
 	return true;
+}
+
+bool Wavefront::has_work_left() {
+	const auto reflex = std::count_if(_active.begin(), _active.end(), [this](uint32_t v) { return is_reflex(_vertices[v]); });
+	_tests_left -= double(_active.size()) * double(reflex + 1);
+	return _tests_left > 0.0;
 }
 
 void Wavefront::remove_dead() {

@@ -66,6 +66,7 @@ private:
 	double next_event(double limit) const;
 	double next_split(const Vertex &vertex, double limit) const;
 	void advance(double time);
+	bool has_work_left();
 	bool clean_up();
 	bool collapse_one();
 	bool fold_one();
@@ -85,6 +86,9 @@ private:
 	std::vector<SkeletonFront> _fronts;
 	uint32_t _edge_count = 0;
 	uint32_t _first_node_now = 0; // nodes from here on were made at _time
+	// An outline that crosses itself makes events without an end: both counters bound what is tried.
+	size_t _changes_left = 0;
+	double _tests_left = 1.5e9; // of corners against sides: some seconds
 	double _time = 0.0;
 	double _tolerance = 1e-9; // metres: 1e-9 of the diagonal
 };

@@ -44,6 +44,15 @@ AtomicFile::AtomicFile(std::string path) : _path(std::move(path)) {
 		_failure = "cannot make the folder `" + folder.string() + "`: " + error.message();
 		return;
 	}
+	// A link keeps pointing where it points; a device or a pipe would be replaced by the finished file.
+	if (fs::is_symlink(_path, error)) {
+		const fs::path target = fs::weakly_canonical(_path, error);
+		_path = error ? _path : target.string();
+	}
+	if (fs::exists(_path, error) && !fs::is_regular_file(_path, error)) {
+		_failure = "this is a device or a pipe, not a file";
+		return;
+	}
 	_temporary = _path + "." + std::to_string(process_id()) + ".tmp";
 	_file = std::fopen(_temporary.c_str(), "wb");
 	if (!_file) {

@@ -15,6 +15,10 @@ Diagnostic unreadable(const std::string &path, std::string message, std::string 
 	return { Severity::Error, "unreadable-file", path, 0, 0, std::move(message), std::move(hint), {} };
 }
 
+bool is_other_language(std::string_view path, const Dialect &dialect) {
+	return (dialect.name == "cga" && path.ends_with(".pcg")) || (dialect.name == "pcg" && path.ends_with(".cga"));
+}
+
 } // namespace
 
 Result<std::string> FileSourceProvider::read(const std::string &path) {
@@ -51,6 +55,10 @@ Result<std::string> MemorySourceProvider::read(const std::string &path) {
 
 std::shared_ptr<const Program> load_program(const std::string &path, const Dialect &dialect, SourceProvider &provider,
 		Diagnostics &diagnostics) {
+	if (is_other_language(path, dialect)) {
+		diagnostics.add({ Severity::Error, "wrong-dialect", path, 0, 0, "this file is not in the language that is wanted here: " + std::string(dialect.title), "buildings are written in .cga files, days in .pcg files", {} });
+		return nullptr;
+	}
 	Diagnostics found;
 	const RuleSet set = load_rule_set(path, dialect, provider, found);
 	auto program = compile(set, dialect, found);

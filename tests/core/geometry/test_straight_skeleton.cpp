@@ -260,3 +260,13 @@ TEST_CASE("faces cover any polygon of right angles, where many events fall toget
 	}
 	CHECK(failures == 0);
 }
+
+TEST_CASE("an outline that crosses itself everywhere ends in bounded time and memory") {
+	Random random(4, 4);
+	Loop scribble;
+	for (int i = 0; i < 300; ++i) {
+		scribble.push_back({ random.uniform(0.0, 40.0), random.uniform(0.0, 40.0) });
+	}
+	const StraightSkeleton skeleton = straight_skeleton({ scribble }, {}, endless);
+	CHECK(skeleton.faces.size() < 10'000);
+}

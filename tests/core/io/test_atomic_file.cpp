@@ -65,3 +65,17 @@ TEST_CASE("a missing file, a folder and a file over the limit are errors that na
 	CHECK(read_file(scratch("big.txt"), 9).diagnostic().id == "file-too-large");
 	CHECK(read_file(scratch("big.txt"), 10).is_ok());
 }
+
+TEST_CASE("a link is written through and a device is left alone") {
+	Diagnostics diagnostics;
+	REQUIRE(write_file(scratch("target.txt"), "old", diagnostics));
+	std::error_code error;
+	std::filesystem::remove(scratch("link.txt"), error);
+	std::filesystem::create_symlink(std::filesystem::absolute(scratch("target.txt")), scratch("link.txt"), error);
+	REQUIRE(!error);
+	CHECK(write_file(scratch("link.txt"), "new", diagnostics));
+	CHECK(std::filesystem::is_symlink(scratch("link.txt")));
+	CHECK(*read_file(scratch("target.txt")) == "new");
+	CHECK_FALSE(write_file("/dev/null", "x", diagnostics));
+	CHECK(std::filesystem::is_character_file("/dev/null"));
+}
