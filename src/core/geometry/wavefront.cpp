@@ -12,8 +12,7 @@ namespace {
 
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
-// Sine below which two edges count as parallel.
-constexpr double parallel_sine = 1e-9;
+constexpr double parallel_sine = 1e-9; // below it two edges count as parallel
 constexpr double never = std::numeric_limits<double>::infinity();
 
 } // namespace
