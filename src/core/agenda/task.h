@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "core/base/ids.h"
 #include "core/base/sim_time.h"
@@ -30,5 +31,8 @@ struct Task {
 	Duration end() const { return { end_ms }; }
 };
 static_assert(sizeof(Task) == 24);
+
+// "stayInside", "goToBuilding", .. as in the rule files.
+std::string_view task_kind_name(TaskKind kind);
 
 } // namespace pcg

@@ -14,22 +14,6 @@ namespace {
 constexpr std::array<std::string_view, 7> day_names{ "mon", "tue", "wed", "thu", "fri", "sat", "sun" };
 constexpr size_t buffer_size = 1 << 20;
 
-std::string_view kind_name(TaskKind kind) {
-	switch (kind) {
-		case TaskKind::StayInside:
-			return "stayInside";
-		case TaskKind::GoToBuilding:
-			return "goToBuilding";
-		case TaskKind::Accompany:
-			return "accompany";
-		case TaskKind::DelayedRule:
-			return "delayedRule";
-		case TaskKind::FloatingSlot:
-			return "floatingSlot";
-	}
-	return {};
-}
-
 // Seconds with as many digits behind the point as they need: 28800, 28712.5.
 std::string seconds_text(int32_t ms) {
 	char text[32];
@@ -83,7 +67,7 @@ private:
 			if ((task.days >> day) & 1) {
 				begin_row(id, day);
 				_text += seconds_text(task.start_ms) + "," + seconds_text(task.end_ms) + ",";
-				_text += std::string(kind_name(task.kind)) + "," + target_text(task) + "," + csv_quoted(detail_text(task)) + "\n";
+				_text += std::string(task_kind_name(task.kind)) + "," + target_text(task) + "," + csv_quoted(detail_text(task)) + "\n";
 			}
 		}
 		for (const FloatingTask &task : _agendas.floating_tasks_of(id)) {

@@ -55,20 +55,4 @@ PlannedEntry planned_entry_at(std::span<const Task> tasks, SimTime time) {
 	return hole_at(tasks, time);
 }
 
-std::string_view task_kind_name(TaskKind kind) {
-	switch (kind) {
-		case TaskKind::StayInside:
-			return "stayInside";
-		case TaskKind::GoToBuilding:
-			return "goToBuilding";
-		case TaskKind::Accompany:
-			return "accompany";
-		case TaskKind::DelayedRule:
-			return "delayedRule";
-		case TaskKind::FloatingSlot:
-			return "floatingSlot";
-	}
-	return "";
-}
-
 } // namespace pcg

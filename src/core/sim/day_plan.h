@@ -27,7 +27,4 @@ struct PlannedEntry {
 // The entry or hole that holds at `time`: start <= time < end.
 PlannedEntry planned_entry_at(std::span<const Task> tasks, SimTime time);
 
-// "stayInside", "goToBuilding", .. as in the rule files.
-std::string_view task_kind_name(TaskKind kind);
-
 } // namespace pcg

@@ -5,7 +5,8 @@
 #include <filesystem>
 #include <sstream>
 
-#include "../agenda/agenda_fixture.h"
+#include "tests/core/agenda/agenda_fixture.h"
+#include "tests/core/rules/rule_file.h"
 
 using namespace pcg;
 
@@ -26,11 +27,6 @@ struct RuleTest {
 	std::vector<ExpectedDay> days;
 	std::vector<std::string> messages; // "12 warning no-building", sorted
 };
-
-std::string trimmed(const std::string &text) {
-	const size_t first = text.find_first_not_of(" \t\r");
-	return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 // "w40@1.5"
 void add_person(AgendaFixture &fixture, const std::string &text) {
@@ -82,31 +78,13 @@ void read_expectation(RuleTest &test, const std::string &text, size_t line) {
 }
 
 void read_test(RuleTest &test, const std::string &path) {
-	FileSourceProvider disk;
-	const Result<std::string> text = disk.read(path);
-	REQUIRE(text.is_ok());
-	std::istringstream lines(*text);
-	std::string line, file = path, content;
-	size_t line_number = 0;
-	while (std::getline(lines, line)) {
-		++line_number;
-		const size_t remark = line.find("// ");
-		const std::string directive = remark == std::string::npos ? "" : trimmed(line.substr(remark + 3));
-		if (directive.rfind("file ", 0) == 0) {
-			test.files.add(file, content);
-			file = "tests/rules/agenda/" + trimmed(directive.substr(5));
-			content.clear();
-			line_number = 0;
-			continue;
+	read_rule_file(path, test.files, [&](const RuleFileLine &line) {
+		if (line.remark.starts_with("expect ")) {
+			read_expectation(test, line.remark.substr(7), line.number);
+		} else if (line.is_whole_line) {
+			read_directive(test, line.remark);
 		}
-		content += line + "\n";
-		if (directive.rfind("expect ", 0) == 0) {
-			read_expectation(test, directive.substr(7), line_number);
-		} else if (remark == 0) {
-			read_directive(test, directive);
-		}
-	}
-	test.files.add(file, content);
+	});
 	std::sort(test.messages.begin(), test.messages.end());
 }
 

@@ -8,6 +8,7 @@
 #include "core/io/rule_loader.h"
 #include "core/sim/dialect.h"
 #include "tests/core/agenda/agenda_fixture.h"
+#include "tests/core/rules/rule_file.h"
 
 using namespace pcg;
 
@@ -26,11 +27,6 @@ struct MessageTest {
 	std::vector<Expected> expected;
 };
 
-std::string trimmed(const std::string &text) {
-	const size_t first = text.find_first_not_of(" \t\r");
-	return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
 void read_remark(MessageTest &test, const std::string &remark, const std::string &file, size_t line) {
 	std::istringstream words(remark);
 	std::string first, severity, id, place, position;
@@ -47,33 +43,10 @@ void read_remark(MessageTest &test, const std::string &remark, const std::string
 	}
 }
 
-// The path of a file that one test holds: beside the test itself.
-std::string beside(const std::string &path, const std::string &name) { return path.substr(0, path.find_last_of('/') + 1) + name; }
-
 MessageTest read_test(const std::string &path) {
 	MessageTest test;
 	test.path = path;
-	FileSourceProvider disk;
-	const Result<std::string> text = disk.read(path);
-	REQUIRE(text.is_ok());
-	std::istringstream lines(*text);
-	std::string line, file = path, content;
-	size_t line_number = 0;
-	while (std::getline(lines, line)) {
-		++line_number;
-		const size_t mark = line.find("// ");
-		const std::string remark = mark == std::string::npos ? "" : trimmed(line.substr(mark + 3));
-		if (remark.rfind("file ", 0) == 0) {
-			test.files.add(file, content);
-			file = beside(path, trimmed(remark.substr(5)));
-			content.clear();
-			line_number = 0;
-			continue;
-		}
-		content += line + "\n";
-		read_remark(test, remark, file, line_number);
-	}
-	test.files.add(file, content);
+	read_rule_file(path, test.files, [&](const RuleFileLine &line) { read_remark(test, line.remark, line.file, line.number); });
 	return test;
 }
 
