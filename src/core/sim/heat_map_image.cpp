@@ -10,8 +10,9 @@ namespace {
 
 using Color = std::array<float, 3>;
 
-constexpr Color ground{ 255, 255, 255 };
-constexpr Color footprint{ 222, 222, 222 };
+constexpr Color street{ 255, 255, 255 };
+constexpr Color lot{ 205, 205, 208 };
+constexpr Color walkable{ 246, 246, 244 };
 // "inferno" of matplotlib (Smith and van der Walt, CC0), from its light end to its dark one.
 constexpr std::array<Color, 8> ramp{ Color{ 252, 255, 164 }, Color{ 250, 193, 39 }, Color{ 245, 125, 21 },
 	Color{ 212, 72, 66 }, Color{ 159, 42, 99 }, Color{ 101, 21, 110 }, Color{ 40, 11, 84 }, Color{ 0, 0, 4 } };
@@ -34,7 +35,8 @@ void set_pixel(RgbImage &image, size_t pixel, Color color) {
 }
 
 // Even-odd scan conversion at pixel centres.
-void fill_polygon(RgbImage &image, const HeatGrid &grid, const GroundPolygon &polygon, float pixel_size) {
+void fill_polygon(RgbImage &image, const HeatGrid &grid, const GroundPolygon &polygon, Color color) {
+	const float pixel_size = grid.cell * float(grid.columns) / float(image.width);
 	std::vector<float> crossings;
 	for (uint32_t y = 0; y < image.height; ++y) {
 		const float z = grid.origin.y + (float(y) + 0.5f) * pixel_size;
@@ -50,7 +52,7 @@ void fill_polygon(RgbImage &image, const HeatGrid &grid, const GroundPolygon &po
 			const float from = std::ceil((crossings[i] - grid.origin.x) / pixel_size - 0.5f);
 			const float to = std::floor((crossings[i + 1] - grid.origin.x) / pixel_size - 0.5f);
 			for (float x = std::max(from, 0.0f); x <= std::min(to, float(image.width - 1)); ++x) {
-				set_pixel(image, size_t(y) * image.width + size_t(x), footprint);
+				set_pixel(image, size_t(y) * image.width + size_t(x), color);
 			}
 		}
 	}
@@ -85,25 +87,45 @@ double darkest_of(std::vector<double> cells) {
 	return cells[rank];
 }
 
-} // namespace
-
-RgbImage draw_heat_map(const HeatMap &map, std::span<const GroundPolygon> footprints, const HeatMapStyle &style) {
-	const HeatGrid &grid = map.grid();
-	const uint32_t scale = std::clamp(style.pixels_per_cell, 1u, 16u);
+RgbImage draw_plan(const HeatGrid &grid, const GroundPlan &plan, uint32_t scale) {
 	RgbImage image{ grid.columns * scale, grid.rows * scale, {} };
 	image.pixels.resize(size_t(image.width) * image.height * 3);
 	for (size_t pixel = 0; pixel < image.pixels.size() / 3; ++pixel) {
-		set_pixel(image, pixel, ground);
+		set_pixel(image, pixel, street);
 	}
-	for (const GroundPolygon &polygon : footprints) {
-		fill_polygon(image, grid, polygon, grid.cell / float(scale));
+	for (const GroundPolygon &polygon : plan.lots) {
+		fill_polygon(image, grid, polygon, lot);
 	}
+	for (const GroundPolygon &polygon : plan.walkable) {
+		fill_polygon(image, grid, polygon, walkable);
+	}
+	return image;
+}
+
+// Between the middles of the four cells around the point, which is in cells from the grid's corner.
+double sample(const std::vector<double> &cells, const HeatGrid &grid, double x, double y) {
+	x = std::clamp(x - 0.5, 0.0, double(grid.columns - 1));
+	y = std::clamp(y - 0.5, 0.0, double(grid.rows - 1));
+	const size_t left = size_t(x), top = size_t(y);
+	const size_t right = std::min<size_t>(left + 1, grid.columns - 1), bottom = std::min<size_t>(top + 1, grid.rows - 1);
+	const auto at = [&](size_t column, size_t row) { return cells[row * grid.columns + column]; };
+	const double upper = std::lerp(at(left, top), at(right, top), x - double(left));
+	const double lower = std::lerp(at(left, bottom), at(right, bottom), x - double(left));
+	return std::lerp(upper, lower, y - double(top));
+}
+
+} // namespace
+
+RgbImage draw_heat_map(const HeatMap &map, const GroundPlan &plan, const HeatMapStyle &style) {
+	const HeatGrid &grid = map.grid();
+	const uint32_t scale = std::clamp(style.pixels_per_cell, 1u, 16u);
+	RgbImage image = draw_plan(grid, plan, scale);
 	const std::vector<double> cells = smoothed(map.person_seconds(), grid.columns, grid.rows);
 	const double darkest = style.darkest > 0.0 ? style.darkest : darkest_of(cells);
 	for (size_t pixel = 0; pixel < image.pixels.size() / 3; ++pixel) {
-		const size_t x = pixel % image.width / scale;
-		const size_t y = pixel / image.width / scale;
-		const float heat = float(std::sqrt(std::min(cells[y * grid.columns + x] / darkest, 1.0)));
+		const double x = (double(pixel % image.width) + 0.5) / scale;
+		const double y = (double(pixel / image.width) + 0.5) / scale;
+		const float heat = float(std::sqrt(std::min(sample(cells, grid, x, y) / darkest, 1.0)));
 		if (heat > 0.0f) {
 			const uint8_t *old = &image.pixels[pixel * 3];
 			const Color below{ float(old[0]), float(old[1]), float(old[2]) };

@@ -18,6 +18,12 @@ struct RgbImage {
 
 using GroundPolygon = std::vector<glm::vec3>;
 
+// What lies under the heat; later ones cover earlier ones. On streets, which are neither, the paper stays white.
+struct GroundPlan {
+	std::vector<GroundPolygon> lots; // grey
+	std::vector<GroundPolygon> walkable; // pale: what stays grey of a lot are its buildings, trees and benches
+};
+
 struct HeatMapStyle {
 	uint32_t pixels_per_cell = 2;
 	// Person-seconds per cell that get the darkest color; 0: the 97th percentile of the cells that were
@@ -25,8 +31,8 @@ struct HeatMapStyle {
 	double darkest = 0.0;
 };
 
-// The heat over a plan of the ground: white, `footprints` light grey, heat from pale yellow over orange to dark violet (lightness falls
-// evenly, so it reads in grey too), with the square root of the time, since a few doors see most of it.
-RgbImage draw_heat_map(const HeatMap &map, std::span<const GroundPolygon> footprints, const HeatMapStyle &style = {});
+// The heat over a plan of the ground, from pale yellow over orange to dark violet (lightness falls evenly, so it reads in grey too), with the
+// square root of the time, since a few doors see most of it. Between the middles of cells it changes evenly.
+RgbImage draw_heat_map(const HeatMap &map, const GroundPlan &plan, const HeatMapStyle &style = {});
 
 } // namespace pcg

@@ -187,12 +187,16 @@ Error CitizenManager::save_heat_map(const String &p_path) const {
 	ERR_FAIL_COND_V_MSG(!is_running() || !_life->heat, ERR_UNCONFIGURED,
 			"CitizenManager: no lives are recorded. Set record_lives before start().");
 	flush_lives();
-	std::vector<GroundPolygon> footprints;
-	for (const Lot &lot : _life->city->city.layout.lots) {
-		footprints.push_back(lot.polygon);
+	const City &city = _life->city->city;
+	GroundPlan plan;
+	for (const Lot &lot : city.layout.lots) {
+		plan.lots.push_back(lot.polygon);
+	}
+	for (const LotBuild &lot : city.lots) {
+		plan.walkable.insert(plan.walkable.end(), lot.free_ground.begin(), lot.free_ground.end());
 	}
 	Diagnostics diagnostics;
-	write_png(from_godot(to_system_path(p_path)), draw_heat_map(*_life->heat, footprints, { .pixels_per_cell = 4 }), diagnostics);
+	write_png(from_godot(to_system_path(p_path)), draw_heat_map(*_life->heat, plan, { .pixels_per_cell = 4 }), diagnostics);
 	report(diagnostics);
 	return diagnostics.has_errors() ? ERR_FILE_CANT_WRITE : OK;
 }

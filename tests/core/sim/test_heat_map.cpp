@@ -41,7 +41,7 @@ TEST_CASE("the grid covers the whole city and keeps to its limit") {
 	CHECK(grid_over(CityModel(), 20.0f, 1.0f, 100).cell_count() > 0);
 }
 
-TEST_CASE("the picture is white ground, grey footprints, and darker where more time was spent") {
+TEST_CASE("the picture is white streets, grey lots, pale ways, and darker where more time was spent") {
 	HeatMap map({ { 0.0f, 0.0f }, 1.0f, 40, 10 });
 	LivedSpan span;
 	span.state = PersonState::Waiting;
@@ -52,11 +52,28 @@ TEST_CASE("the picture is white ground, grey footprints, and darker where more t
 	span.position = { 20.5f, 0.0f, 5.5f };
 	map.on_lived(span);
 	const GroundPolygon house{ { 2.0f, 0.0f, 2.0f }, { 8.0f, 0.0f, 2.0f }, { 8.0f, 0.0f, 8.0f }, { 2.0f, 0.0f, 8.0f } };
-	const RgbImage image = draw_heat_map(map, { &house, 1 }, { .pixels_per_cell = 1 });
+	const GroundPolygon way{ { 6.0f, 0.0f, 2.0f }, { 8.0f, 0.0f, 2.0f }, { 8.0f, 0.0f, 8.0f }, { 6.0f, 0.0f, 8.0f } };
+	const RgbImage image = draw_heat_map(map, { { house }, { way } }, { .pixels_per_cell = 1 });
 	const auto red = [&](int x, int y) { return int(image.pixels[size_t(y * 40 + x) * 3]); };
 	CHECK(image.width == 40);
 	CHECK(red(0, 0) == 255);
-	CHECK(red(5, 5) == 222);
+	CHECK(red(5, 5) == 205);
+	CHECK(red(7, 5) == 246);
 	CHECK(red(20, 5) < 20); // the darkest
 	CHECK(red(30, 5) > red(20, 5));
+}
+
+TEST_CASE("the heat changes evenly between the middles of cells, so that no squares are seen") {
+	HeatMap map({ { 0.0f, 0.0f }, 1.0f, 40, 10 });
+	LivedSpan span;
+	span.state = PersonState::Waiting;
+	span.end = SimTime{ 100'000 };
+	span.position = { 20.5f, 0.0f, 5.5f };
+	map.on_lived(span);
+	const RgbImage image = draw_heat_map(map, {}, { .pixels_per_cell = 8 });
+	const auto sum = [&](int x) { return
+		int(image.pixels[size_t(44 * 320 + x) * 3]) + int(image.pixels[size_t(44 * 320 + x) * 3 + 1]); };
+	for (int x = 165; x < 172; ++x) { // out of the darkest cell into its neighbour
+		CHECK(sum(x) < sum(x + 1));
+	}
 }
