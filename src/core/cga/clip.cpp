@@ -36,7 +36,7 @@ const Geometry *Clipper::clip(const Geometry &geometry, const Plane &plane, Aren
 	if (std::ranges::none_of(points, [](double d) { return d < 0.0; })) {
 		return &geometry;
 	}
-	_builder.clear();
+	_builder.begin(geometry);
 	_cuts.clear();
 	for (uint32_t i = 0; i < geometry.face_count; ++i) {
 		clip_face(geometry, geometry.faces[i], plane);
@@ -70,6 +70,7 @@ void Clipper::clip_face(const Geometry &geometry, const GeometryFace &face, cons
 	}
 	_chains.clear();
 	_chain_points.clear();
+	_chain_origins.clear();
 	_whole_holes.clear();
 	const glm::dvec3 along = glm::cross(plane.normal, face_normal(geometry, face));
 	for (uint32_t i = 0; i < face.loop_count; ++i) {
@@ -80,14 +81,23 @@ void Clipper::clip_face(const Geometry &geometry, const GeometryFace &face, cons
 }
 
 // Always from the point that stays to the other one, so that both faces at an edge get the same bits.
-glm::dvec3 Clipper::cut_point(const Geometry &geometry, uint32_t a, uint32_t b) const {
+glm::dvec3 Clipper::cut_point(const Geometry &geometry, uint32_t a, uint32_t b, CornerOrigin &origin) const {
 	const uint32_t in = _distances[a] > 0.0 ? a : b;
 	const uint32_t out = in == a ? b : a;
 	if (_distances[out] == 0.0) {
+		origin = { out };
 		return geometry.points[out];
 	}
 	const double share = _distances[in] / (_distances[in] - _distances[out]);
+	origin = { in, out, share };
 	return geometry.points[in] + (geometry.points[out] - geometry.points[in]) * share;
+}
+
+void Clipper::add_chain_point(glm::dvec3 point, CornerOrigin origin) {
+	_chain_points.push_back(point);
+	if (_builder.keeps_origins()) {
+		_chain_origins.push_back(origin);
+	}
 }
 
 void Clipper::collect_chains(const Geometry &geometry, uint32_t loop, glm::dvec3 along, bool is_outline) {
@@ -108,16 +118,17 @@ void Clipper::collect_chains(const Geometry &geometry, uint32_t loop, glm::dvec3
 	for (uint32_t i = start; i < start + count; ++i) {
 		if (is_in(i) == is_in(i + 1)) {
 			if (is_in(i)) {
-				_chain_points.push_back(geometry.points[at(i + 1)]);
+				add_chain_point(geometry.points[at(i + 1)], { at(i + 1) });
 			}
 		} else {
-			const glm::dvec3 point = cut_point(geometry, at(i), at(i + 1));
+			CornerOrigin origin;
+			const glm::dvec3 point = cut_point(geometry, at(i), at(i + 1), origin);
 			if (is_in(i + 1)) {
 				_chains.push_back({ .first = uint32_t(_chain_points.size()), .enter = glm::dot(along, point) });
-				_chain_points.push_back(point);
-				_chain_points.push_back(geometry.points[at(i + 1)]);
+				add_chain_point(point, origin);
+				add_chain_point(geometry.points[at(i + 1)], { at(i + 1) });
 			} else {
-				_chain_points.push_back(point);
+				add_chain_point(point, origin);
 				_chains.back().leave = glm::dot(along, point);
 				_chains.back().end = uint32_t(_chain_points.size());
 			}
@@ -160,7 +171,7 @@ void Clipper::emit_pieces(const Geometry &geometry, const GeometryFace &face) {
 			continue;
 		}
 		emit_outline(i);
-		if (glm::dot(area_vector(_outline), normal) > 0.0 && _builder.add_loop(_outline)) {
+		if (glm::dot(area_vector(_outline), normal) > 0.0 && _builder.add_loop(_outline, _outline_origins)) {
 			add_holes(geometry, _outline, normal);
 			_builder.end_face(face.tag, face.material);
 		}
@@ -174,6 +185,7 @@ void Clipper::emit_outline(uint32_t chain) {
 		_order.push_back(at);
 	}
 	_outline.clear();
+	_outline_origins.clear();
 	size_t start = 0;
 	bool has_start = false;
 	for (size_t i = 0; i < _order.size(); ++i) {
@@ -184,9 +196,16 @@ void Clipper::emit_outline(uint32_t chain) {
 			has_start = true;
 		}
 		_outline.insert(_outline.end(), _chain_points.begin() + piece.first, _chain_points.begin() + piece.end);
+		if (!_chain_origins.empty()) {
+			_outline_origins.insert(_outline_origins.end(), _chain_origins.begin() + piece.first, _chain_origins.begin() + piece.end);
+		}
 		_cuts.push_back({ _chain_points[piece.end - 1], _chain_points[following.first] });
 	}
-	std::rotate(_outline.begin(), _outline.begin() + std::ptrdiff_t(has_start ? start : _outline.size() - 1), _outline.end());
+	const std::ptrdiff_t first = std::ptrdiff_t(has_start ? start : _outline.size() - 1);
+	std::rotate(_outline.begin(), _outline.begin() + first, _outline.end());
+	if (!_outline_origins.empty()) {
+		std::rotate(_outline_origins.begin(), _outline_origins.begin() + first, _outline_origins.end());
+	}
 }
 
 void Clipper::add_holes(const Geometry &geometry, const std::vector<glm::dvec3> &outline, glm::dvec3 normal) {
@@ -199,7 +218,7 @@ void Clipper::add_holes(const Geometry &geometry, const std::vector<glm::dvec3> 
 		if (!contains(flat, flatten(points[0], normal))) {
 			continue;
 		}
-		_builder.add_loop(points);
+		_builder.add_loop(geometry, loop);
 	}
 }
 

@@ -44,7 +44,8 @@ private:
 	void measure(const Geometry &geometry, const Plane &plane);
 	void clip_face(const Geometry &geometry, const GeometryFace &face, const Plane &plane);
 	void collect_chains(const Geometry &geometry, uint32_t loop, glm::dvec3 along, bool is_outline);
-	glm::dvec3 cut_point(const Geometry &geometry, uint32_t a, uint32_t b) const;
+	glm::dvec3 cut_point(const Geometry &geometry, uint32_t a, uint32_t b, CornerOrigin &origin) const;
+	void add_chain_point(glm::dvec3 point, CornerOrigin origin);
 	void pair_chains();
 	void emit_pieces(const Geometry &geometry, const GeometryFace &face);
 	void emit_outline(uint32_t chain);
@@ -56,11 +57,13 @@ private:
 	std::vector<double> _distances; // of each point of the geometry to the plane
 	std::vector<Chain> _chains;
 	std::vector<glm::dvec3> _chain_points;
+	std::vector<CornerOrigin> _chain_origins; // of the chain points; empty if corners carry nothing
 	std::vector<Crossing> _crossings;
 	std::vector<uint32_t> _whole_holes; // loops of the face that the cut does not meet
 	std::vector<uint32_t> _order; // chains of one outline, in order
 	std::vector<Segment> _cuts;
 	std::vector<glm::dvec3> _outline;
+	std::vector<CornerOrigin> _outline_origins;
 };
 
 } // namespace pcg::cga

@@ -144,11 +144,11 @@ std::vector<ComponentInfo> vertices(const Geometry &geometry) {
 
 // Points closer than `flat` to the plane z = 0 are put into it: a plane face is exactly plane in its own scope.
 void add_points(GeometryBuilder &builder, const Geometry &geometry, const GeometryFace &face, const Frame &frame, double flat) {
-	for (uint32_t l = 0; l < face.loop_count; ++l) {
-		for (const glm::dvec3 &point : geometry.loop(face.first_loop + l)) {
-			glm::dvec3 local = frame.to_local(point);
+	for (uint32_t l = face.first_loop; l < face.first_loop + face.loop_count; ++l) {
+		for (uint32_t i = geometry.first_point(l); i < geometry.loop_ends[l]; ++i) {
+			glm::dvec3 local = frame.to_local(geometry.points[i]);
 			local.z = std::abs(local.z) <= flat ? 0.0 : local.z;
-			builder.add_point(local);
+			builder.add_corner(local, i);
 		}
 		builder.end_loop();
 	}
@@ -187,7 +187,7 @@ Shape face_shape(const Shape &parent, const Geometry &geometry, std::span<const 
 	}
 	const glm::dvec3 extent = geometry.high - geometry.low;
 	const double flat = 1e-9 * (extent.x + extent.y + extent.z);
-	builder.clear();
+	builder.begin(geometry, glm::transpose(frame.axes));
 	for (const uint32_t face : faces) {
 		add_points(builder, geometry, geometry.faces[face], frame, flat);
 	}

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "core/base/diagnostic.h"
@@ -29,6 +30,8 @@ struct InitialShape {
 	struct Face {
 		std::vector<glm::dvec3> outline;
 		std::vector<std::vector<glm::dvec3>> holes;
+		// Texture coordinates of set 0, one for each point of the outline and then of the holes; else empty. Streets bring u along and v across.
+		std::vector<glm::dvec2> uvs = {};
 	};
 	using AttributeValue = std::variant<double, bool, std::string>;
 

@@ -16,17 +16,22 @@ namespace {
 
 using Loop = std::vector<glm::dvec3>;
 
-// The other way around with the same first edge: [0 1 2 3] becomes [1 0 3 2].
+// The other way around with the same first edge: [0 1 2 3] becomes [1 0 3 2]. Doing it twice changes nothing.
 void reverse_keeping_first_edge(Loop &loop) {
 	std::ranges::reverse(loop);
 	std::rotate(loop.begin(), loop.end() - 2, loop.end());
+}
+
+// Where a corner of a loop that was reversed so stood before.
+uint32_t reversed_index(size_t index, size_t count) {
+	return uint32_t((count + 1 - index) % count);
 }
 
 class Extruder {
 public:
 	Extruder(const Geometry &geometry, ExtrudeDirection direction, double height, glm::dvec3 up, bool is_hollow, GeometryBuilder &builder)
 			: _geometry(geometry), _direction(direction), _height(height), _up(up), _is_hollow(is_hollow), _builder(builder) {
-		_builder.clear();
+		_builder.begin(geometry, glm::dmat3(0.0)); // flat shaded
 	}
 
 	const Geometry *run(Arena &arena) {
@@ -51,7 +56,8 @@ private:
 			bottom.emplace_back(points.begin(), points.end());
 		}
 		// Outwards means: the bottom looks away from the direction. A hollow is the same, seen from inside.
-		if ((along < 0.0) != (_is_hollow && _height < 0.0)) {
+		_is_flipped = (along < 0.0) != (_is_hollow && _height < 0.0);
+		if (_is_flipped) {
 			for (Loop &loop : bottom) {
 				reverse_keeping_first_edge(loop);
 			}
@@ -64,7 +70,7 @@ private:
 			}
 		}
 		add_cap(bottom, true, face);
-		add_walls(bottom, top, normal);
+		add_walls(bottom, top, face, normal);
 		add_cap(top, false, face);
 	}
 
@@ -78,23 +84,39 @@ private:
 		return _height >= 0.0 ? std::max(low + _height, high) : std::min(high + _height, low);
 	}
 
+	// The corner of the source that a corner of a loop of the prism stands over.
+	uint32_t corner_of(const GeometryFace &face, size_t loop, size_t index, size_t count) const {
+		return _geometry.first_point(face.first_loop + uint32_t(loop)) + (_is_flipped ? reversed_index(index, count) : uint32_t(index));
+	}
+
 	void add_cap(const std::vector<Loop> &loops, bool is_reversed, const GeometryFace &face) {
-		for (Loop loop : loops) {
-			if (is_reversed) {
-				reverse_keeping_first_edge(loop);
+		for (size_t l = 0; l < loops.size(); ++l) {
+			const size_t count = loops[l].size();
+			for (size_t i = 0; i < count; ++i) {
+				const size_t index = is_reversed ? reversed_index(i, count) : i;
+				_builder.add_corner(loops[l][index], corner_of(face, l, index, count));
 			}
-			_builder.add_loop(loop);
+			_builder.end_loop();
 		}
 		_builder.end_face(FaceTag::None, face.material);
 	}
 
-	void add_walls(const std::vector<Loop> &bottom, const std::vector<Loop> &top, glm::dvec3 normal) {
+	void add_wall(const Loop &bottom, const Loop &top, size_t from, size_t to, uint32_t from_corner, uint32_t to_corner) {
+		_builder.add_corner(bottom[from], from_corner);
+		_builder.add_corner(bottom[to], to_corner);
+		_builder.add_corner(top[to], to_corner);
+		_builder.add_corner(top[from], from_corner);
+		_builder.end_loop();
+		_builder.end_face();
+	}
+
+	void add_walls(const std::vector<Loop> &bottom, const std::vector<Loop> &top, const GeometryFace &face, glm::dvec3 normal) {
 		for (size_t l = 0; l < bottom.size(); ++l) {
 			const size_t count = bottom[l].size();
 			for (size_t i = 0; i < count; ++i) {
 				const size_t next = (i + 1) % count;
 				if (_geometry.face_count == 1 || !has_flat_neighbour(bottom[l][i], bottom[l][next], normal)) {
-					_builder.add_quad(bottom[l][i], bottom[l][next], top[l][next], top[l][i]);
+					add_wall(bottom[l], top[l], i, next, corner_of(face, l, i, count), corner_of(face, l, next, count));
 				}
 			}
 		}
@@ -121,6 +143,7 @@ private:
 	double _height;
 	glm::dvec3 _up;
 	bool _is_hollow;
+	bool _is_flipped = false; // the prism's loops run against those of the face it stands on
 	GeometryBuilder &_builder;
 };
 
@@ -216,16 +239,16 @@ void reverse_normals(Shape &shape, GeometryBuilder &builder, Arena &arena) {
 		return;
 	}
 	const Geometry &geometry = *shape.geometry;
-	builder.clear();
+	builder.begin(geometry, glm::dmat3(-1.0));
 	for (uint32_t f = 0; f < geometry.face_count; ++f) {
 		const GeometryFace &face = geometry.faces[f];
-		for (uint32_t i = 0; i < face.loop_count; ++i) {
-			const auto points = geometry.loop(face.first_loop + i);
-			Loop loop(points.begin(), points.end());
-			if (loop.size() >= 2) {
-				reverse_keeping_first_edge(loop);
+		for (uint32_t l = face.first_loop; l < face.first_loop + face.loop_count; ++l) {
+			const uint32_t first = geometry.first_point(l), count = geometry.loop_ends[l] - first;
+			for (uint32_t i = 0; i < count; ++i) {
+				const uint32_t corner = first + reversed_index(i, count);
+				builder.add_corner(geometry.points[corner], corner);
 			}
-			builder.add_loop(loop, 1);
+			builder.end_loop(1);
 		}
 		builder.end_face(face.tag, face.material);
 	}

@@ -1,7 +1,10 @@
 #include "core/cga/geometry.h"
 
+#include <limits>
+
 #include <glm/common.hpp>
 
+#include "core/cga/corner_data.h"
 #include "core/geometry/polygon.h"
 
 namespace pcg::cga {
@@ -23,7 +26,7 @@ bool is_at_bounds(glm::dvec3 point, const Geometry &geometry) {
 bool detect_block(const Geometry &geometry) {
 	const bool is_box = geometry.face_count == 6 && geometry.is_closed && geometry.point_count == 24;
 	const bool is_rectangle = geometry.face_count == 1 && geometry.point_count == 4;
-	if (geometry.loop_count != geometry.face_count || (!is_box && !is_rectangle)) {
+	if (geometry.corners != nullptr || geometry.loop_count != geometry.face_count || (!is_box && !is_rectangle)) {
 		return false;
 	}
 	for (uint32_t i = 0; i < geometry.point_count; ++i) {
@@ -36,15 +39,69 @@ bool detect_block(const Geometry &geometry) {
 
 } // namespace
 
+glm::dvec2 no_uv() {
+	return glm::dvec2(std::numeric_limits<double>::quiet_NaN());
+}
+
 void GeometryBuilder::clear() {
+	_source = nullptr;
+	_origins.clear();
 	_points.clear();
 	_loop_ends.clear();
 	_faces.clear();
 	_face_first_loop = 0;
 }
 
+void GeometryBuilder::begin(const Geometry &source) {
+	clear();
+	_source = source.corners != nullptr ? &source : nullptr;
+	_turn = glm::dmat3(1.0);
+}
+
+void GeometryBuilder::begin(const Geometry &source, const glm::dmat3 &turn) {
+	begin(source);
+	_turn = turn;
+}
+
+bool GeometryBuilder::add_loop(std::span<const glm::dvec3> loop, std::span<const CornerOrigin> origins) {
+	if (_source != nullptr && !origins.empty()) {
+		_origins.resize(_points.size());
+		_origins.insert(_origins.end(), origins.begin(), origins.end());
+	}
+	return add_loop(loop);
+}
+
+bool GeometryBuilder::add_loop(const Geometry &source, uint32_t loop) {
+	add_points(source, source.first_point(loop), source.loop_ends[loop] - source.first_point(loop));
+	return end_loop();
+}
+
+void GeometryBuilder::add_points(const Geometry &source, uint32_t first, uint32_t count) {
+	if (_source == &source) {
+		_origins.resize(_points.size());
+		for (uint32_t i = 0; i < count; ++i) {
+			_origins.push_back({ first + i });
+		}
+	}
+	_points.insert(_points.end(), source.points + first, source.points + first + count);
+}
+
+// The same corners stay as in end_loop(), which goes by the points alone.
+void GeometryBuilder::merge_origins(size_t first) {
+	_origins.resize(_points.size());
+	size_t kept = first;
+	for (size_t i = first; i < _points.size(); ++i) {
+		if (i == first || _points[i] != _points[i - 1]) {
+			_origins[kept++] = _origins[i];
+		}
+	}
+}
+
 bool GeometryBuilder::end_loop(size_t least) {
 	const size_t first = _loop_ends.empty() ? 0 : _loop_ends.back();
+	if (_origins.size() > first) {
+		merge_origins(first);
+	}
 	size_t kept = first;
 	for (size_t i = first; i < _points.size(); ++i) {
 		if (kept == first || _points[i] != _points[kept - 1]) {
@@ -56,6 +113,9 @@ bool GeometryBuilder::end_loop(size_t least) {
 	}
 	const bool is_kept = kept - first >= least;
 	_points.resize(is_kept ? kept : first);
+	if (_origins.size() > _points.size()) {
+		_origins.resize(_points.size());
+	}
 	if (is_kept) {
 		_loop_ends.push_back(uint32_t(kept));
 	}
@@ -72,8 +132,8 @@ void GeometryBuilder::end_face(FaceTag tag, uint16_t material) {
 
 void GeometryBuilder::add_face(const Geometry &source, const GeometryFace &face) {
 	for (uint32_t i = 0; i < face.loop_count; ++i) {
-		const auto loop = source.loop(face.first_loop + i);
-		_points.insert(_points.end(), loop.begin(), loop.end());
+		const uint32_t first = source.first_point(face.first_loop + i);
+		add_points(source, first, source.loop_ends[face.first_loop + i] - first);
 		_loop_ends.push_back(uint32_t(_points.size()));
 	}
 	end_face(face.tag, face.material);
@@ -102,12 +162,28 @@ const Geometry *GeometryBuilder::finish(Arena &arena, bool is_closed) const {
 		geometry.low = glm::min(geometry.low, point);
 		geometry.high = glm::max(geometry.high, point);
 	}
+	if (!_origins.empty()) {
+		geometry.corners = carry_corner_data(*_source, _points, _origins, _turn, arena);
+	}
 	geometry.is_block = detect_block(geometry);
 	return arena.make(geometry);
 }
 
 glm::dvec3 face_normal(const Geometry &geometry, const GeometryFace &face) {
 	return loop_normal(geometry.outline(face));
+}
+
+const Geometry *with_uvs(const Geometry &geometry, size_t set, const glm::dvec2 *uvs, Arena &arena) {
+	CornerData *corners = arena.make(geometry.corners != nullptr ? *geometry.corners : CornerData());
+	corners->uvs[set] = uvs;
+	bool is_empty = corners->normals == nullptr;
+	for (const glm::dvec2 *other : corners->uvs) {
+		is_empty = is_empty && other == nullptr;
+	}
+	Geometry *result = arena.make(geometry);
+	result->corners = is_empty ? nullptr : corners;
+	result->is_block = detect_block(*result);
+	return result;
 }
 
 } // namespace pcg::cga

@@ -24,15 +24,24 @@ bool is_usable(glm::dvec3 point) {
 	return size.x < largest_coordinate && size.y < largest_coordinate && size.z < largest_coordinate; // false for NaN too
 }
 
-Loop cleaned(const Loop &loop) {
-	Loop result;
-	for (const glm::dvec3 &point : loop) {
-		if (is_usable(point) && (result.empty() || glm::distance(point, result.back()) > least_edge)) {
-			result.push_back(point);
+struct TexturedLoop {
+	Loop points;
+	std::vector<glm::dvec2> uvs; // as many, no_uv() where nothing is known
+};
+
+// `first_uv`: of the loop in the face's list.
+TexturedLoop cleaned(const Loop &loop, const std::vector<glm::dvec2> &uvs, size_t first_uv) {
+	TexturedLoop result;
+	Loop &points = result.points;
+	for (size_t i = 0; i < loop.size(); ++i) {
+		if (is_usable(loop[i]) && (points.empty() || glm::distance(loop[i], points.back()) > least_edge)) {
+			points.push_back(loop[i]);
+			result.uvs.push_back(first_uv + i < uvs.size() ? uvs[first_uv + i] : no_uv());
 		}
 	}
-	while (result.size() > 1 && glm::distance(result.back(), result.front()) <= least_edge) {
-		result.pop_back();
+	while (points.size() > 1 && glm::distance(points.back(), points.front()) <= least_edge) {
+		points.pop_back();
+		result.uvs.pop_back();
 	}
 	return result;
 }
@@ -54,24 +63,27 @@ bool crosses_itself(const Loop &loop) {
 }
 
 // Usable faces only; the first loop of each is the outline.
-std::vector<std::vector<Loop>> usable_faces(const InitialShape &source, Diagnostics &diagnostics) {
-	std::vector<std::vector<Loop>> faces;
+std::vector<std::vector<TexturedLoop>> usable_faces(const InitialShape &source, Diagnostics &diagnostics) {
+	std::vector<std::vector<TexturedLoop>> faces;
 	for (const InitialShape::Face &face : source.faces) {
-		Loop outline = cleaned(face.outline);
-		if (!has_area(outline)) {
+		TexturedLoop outline = cleaned(face.outline, face.uvs, 0);
+		if (!has_area(outline.points)) {
 			continue;
 		}
-		if (crosses_itself(outline)) {
+		if (crosses_itself(outline.points)) {
 			diagnostics.warning("crossing-outline", "the outline of " + (source.name.empty() ? "the lot" : source.name) + " crosses itself",
 					"draw it so that no two of its edges meet between their ends");
 		}
-		const glm::dvec3 normal = loop_normal(outline);
+		const glm::dvec3 normal = loop_normal(outline.points);
 		faces.push_back({ std::move(outline) });
+		size_t first_uv = face.outline.size();
 		for (const Loop &hole : face.holes) {
-			Loop clean_hole = cleaned(hole);
-			if (has_area(clean_hole)) {
-				if (glm::dot(area_vector(clean_hole), normal) > 0.0) {
-					std::ranges::reverse(clean_hole);
+			TexturedLoop clean_hole = cleaned(hole, face.uvs, first_uv);
+			first_uv += hole.size();
+			if (has_area(clean_hole.points)) {
+				if (glm::dot(area_vector(clean_hole.points), normal) > 0.0) {
+					std::ranges::reverse(clean_hole.points);
+					std::ranges::reverse(clean_hole.uvs);
 				}
 				faces.back().push_back(std::move(clean_hole));
 			}
@@ -93,11 +105,41 @@ glm::dmat3 street_axes(const InitialShape &source, const Lot &lot) {
 	return axes_from_y(lot.object_axes[1], outline[(edge + 1) % outline.size()] - outline[edge]);
 }
 
+// In the object's system.
+const Geometry *object_geometry(const std::vector<std::vector<TexturedLoop>> &faces, const Lot &lot, Arena &arena) {
+	std::vector<glm::dvec2> uvs;
+	for (const auto &face : faces) {
+		for (const TexturedLoop &loop : face) {
+			uvs.insert(uvs.end(), loop.uvs.begin(), loop.uvs.end());
+		}
+	}
+	CornerData corners;
+	corners.uvs[0] = uvs.data();
+	Geometry source;
+	source.corners = std::ranges::any_of(uvs, has_uv) ? &corners : nullptr;
+	const glm::dmat3 to_object = glm::transpose(lot.object_axes);
+	GeometryBuilder builder;
+	builder.begin(source);
+	uint32_t corner = 0;
+	for (const auto &face : faces) {
+		for (const TexturedLoop &loop : face) {
+			for (const glm::dvec3 &point : loop.points) {
+				glm::dvec3 local = to_object * (point - lot.origin);
+				local.y = std::abs(local.y) < 1e-9 ? 0.0 : local.y; // a flat lot stays flat whichever way it lies
+				builder.add_corner(local, corner++);
+			}
+			builder.end_loop();
+		}
+		builder.end_face();
+	}
+	return builder.finish(arena, false);
+}
+
 } // namespace
 
 InitialShape InitialShape::of(std::vector<glm::dvec3> outline, uint64_t seed) {
 	InitialShape shape;
-	shape.faces.push_back({ std::move(outline), {} });
+	shape.faces.push_back({ std::move(outline), {}, {} });
 	shape.seed = seed;
 	return shape;
 }
@@ -113,26 +155,13 @@ bool make_initial_shape(const InitialShape &source, Arena &arena, Lot &lot, Shap
 				"give at least three different points with finite coordinates that do not lie on one line");
 		return false;
 	}
-	const Loop &first = faces[0][0];
+	const Loop &first = faces[0][0].points;
 	lot.origin = first[0];
 	lot.object_axes = axes_from_y(loop_normal(first), first[1] - first[0]);
 	lot.street_axes = street_axes(source, lot);
 
-	const glm::dmat3 to_object = glm::transpose(lot.object_axes);
-	GeometryBuilder builder;
-	for (const auto &face : faces) {
-		for (const Loop &loop : face) {
-			for (const glm::dvec3 &point : loop) {
-				glm::dvec3 local = to_object * (point - lot.origin);
-				local.y = std::abs(local.y) < 1e-9 ? 0.0 : local.y; // a flat lot stays flat whichever way it lies
-				builder.add_point(local);
-			}
-			builder.end_loop();
-		}
-		builder.end_face();
-	}
 	shape.pivot = arena.make(Frame{ lot.object_axes, glm::dvec3(0.0) });
-	set_geometry(shape, builder.finish(arena, false));
+	set_geometry(shape, object_geometry(faces, lot, arena));
 	lot.center = shape.frame().to_parent(0.5 * shape.size);
 	return true;
 }

@@ -33,54 +33,55 @@ struct Bounds {
 	}
 };
 
+// Corners that were added without a coordinate take that of set 0: there a map looks whose own set is missing.
+void complete_uvs(Mesh &mesh, size_t set, size_t corner_count) {
+	std::vector<glm::vec2> &uvs = mesh.uvs[set];
+	while (uvs.size() < corner_count) {
+		uvs.push_back(uvs.size() < mesh.uvs[0].size() && set > 0 ? mesh.uvs[0][uvs.size()] : glm::vec2(0.0f));
+	}
+}
+
+void complete_uvs(Mesh &mesh) {
+	for (size_t set = 0; set < uv_set_count; ++set) {
+		if (!mesh.uvs[set].empty()) {
+			complete_uvs(mesh, set, mesh.positions.size());
+		}
+	}
+}
+
+// The faces before the first smooth one are flat.
+void complete_normals(Mesh &mesh, size_t corner_count) {
+	for (size_t i = 0; mesh.normals.empty() && i + 1 < mesh.faces.size(); ++i) {
+		const MeshFace &face = mesh.faces[i];
+		const uint32_t end = mesh.loop_ends[face.first_loop + face.loop_count - 1];
+		for (uint32_t corner = mesh.first_corner(face.first_loop); corner < end; ++corner) {
+			mesh.normals.push_back(face.normal);
+		}
+	}
+	mesh.normals.resize(corner_count, glm::vec3(0.0f, 1.0f, 0.0f));
+}
+
 } // namespace
 
 void ModelBuilder::begin(const Lot &lot) {
 	_lot = lot;
 	_result = DerivationResult();
 	_object_frames.clear();
-	_asset_materials.clear();
-	_last_material = 0;
+	_materials.begin();
 }
 
 DerivationResult ModelBuilder::take() {
+	_result.materials = _materials.take();
+	complete_uvs(_result.mesh);
+	for (ModelObject &object : _result.objects) {
+		complete_uvs(object.mesh);
+	}
 	for (size_t i = 0; i < _result.objects.size(); ++i) {
 		if (_result.objects[i].places.empty()) {
 			add_default_places(_result.objects[i], _object_frames[i]);
 		}
 	}
 	return std::move(_result);
-}
-
-uint32_t ModelBuilder::intern(const Material &material) {
-	std::vector<Material> &materials = _result.materials;
-	if (_last_material < materials.size() && materials[_last_material] == material) {
-		return _last_material;
-	}
-	const auto found = std::ranges::find(materials, material);
-	_last_material = uint32_t(found - materials.begin());
-	if (found == materials.end()) {
-		materials.push_back(material);
-	}
-	return _last_material;
-}
-
-uint32_t ModelBuilder::face_material(const GeometryFace &face, const Look &look) {
-	Material material = { {}, look.color, look.roughness, look.metallic, look.is_double_sided };
-	if (face.material > 0) {
-		material = _asset_materials[face.material - 1u];
-		material.color = look.has_color ? look.color : material.color;
-	}
-	return intern(material);
-}
-
-uint16_t ModelBuilder::asset_material(const Material &material) {
-	const auto found = std::ranges::find(_asset_materials, material);
-	const size_t index = size_t(found - _asset_materials.begin());
-	if (found == _asset_materials.end() && index < 0xFFFF) {
-		_asset_materials.push_back(material);
-	}
-	return index < 0xFFFF ? uint16_t(index + 1) : uint16_t(0);
 }
 
 void ModelBuilder::add_leaf(const Shape &shape) {
@@ -98,11 +99,41 @@ void ModelBuilder::add_leaf(const Shape &shape) {
 	Mesh &mesh = shape.object < 0 ? _result.mesh : _result.objects[size_t(shape.object)].mesh;
 	for (uint32_t i = 0; i < shape.geometry->face_count; ++i) {
 		const GeometryFace &face = shape.geometry->faces[i];
-		add_face(mesh, *shape.geometry, face, shape, frame, face_material(face, *shape.look));
+		const uint32_t material = _materials.index_of(*shape.look, face.material);
+		if (add_face(mesh, *shape.geometry, face, shape, frame, material) && (shape.geometry->corners != nullptr || !mesh.normals.empty())) {
+			add_corner_data(mesh, *shape.geometry, shape.geometry->first_point(face.first_loop), frame.axes * normal_matrix(shape));
+		}
 	}
 }
 
-void ModelBuilder::add_face(Mesh &mesh, const Geometry &geometry, const GeometryFace &face, const Shape &shape, const Frame &to_target, uint32_t material) {
+// Of the face added last, whose corners in the geometry begin at `first`.
+void ModelBuilder::add_corner_data(Mesh &mesh, const Geometry &geometry, uint32_t first, const glm::dmat3 &turn) {
+	const glm::vec3 face_normal = mesh.faces.back().normal;
+	const size_t count = _points.size(), corner = mesh.positions.size() - count;
+	const glm::dvec2 *base = geometry.uvs(0);
+	for (size_t set = 0; geometry.corners != nullptr && set < uv_set_count; ++set) {
+		if (const glm::dvec2 *uvs = geometry.uvs(set)) {
+			complete_uvs(mesh, set, corner);
+			for (size_t i = first; i < first + count; ++i) {
+				const glm::dvec2 uv = has_uv(uvs[i]) || base == nullptr ? uvs[i] : base[i];
+				mesh.uvs[set].push_back(has_uv(uv) ? glm::vec2(uv) : glm::vec2(0.0f));
+			}
+		}
+	}
+	const glm::dvec3 *normals = geometry.corners != nullptr ? geometry.corners->normals : nullptr;
+	if (normals == nullptr && mesh.normals.empty()) {
+		return;
+	}
+	complete_normals(mesh, corner);
+	for (size_t i = first; i < first + count; ++i) {
+		const glm::dvec3 normal = normals != nullptr ? turn * normals[i] : glm::dvec3(0.0);
+		const double length = glm::length(normal);
+		mesh.normals.push_back(length > 1e-12 ? glm::vec3(normal / length) : face_normal);
+	}
+}
+
+// False: it has no area.
+bool ModelBuilder::add_face(Mesh &mesh, const Geometry &geometry, const GeometryFace &face, const Shape &shape, const Frame &to_target, uint32_t material) {
 	_points.clear();
 	const uint32_t first = geometry.first_point(face.first_loop);
 	const uint32_t outline_size = uint32_t(geometry.outline(face).size());
@@ -112,7 +143,7 @@ void ModelBuilder::add_face(Mesh &mesh, const Geometry &geometry, const Geometry
 	const glm::dvec3 area = area_vector(std::span(_points).first(outline_size));
 	const double size = glm::length(area);
 	if (!(size > 1e-12) || !std::isfinite(size)) { // edges, points and what was flattened away
-		return;
+		return false;
 	}
 	const uint32_t first_loop = uint32_t(mesh.loop_ends.size());
 	const uint32_t corner = uint32_t(mesh.positions.size());
@@ -122,6 +153,7 @@ void ModelBuilder::add_face(Mesh &mesh, const Geometry &geometry, const Geometry
 	}
 	mesh.faces.push_back({ first_loop, face.loop_count, material, glm::vec3(area / size) });
 	++_result.face_count;
+	return true;
 }
 
 int32_t ModelBuilder::begin_object(std::string_view tag, const Shape &shape) {

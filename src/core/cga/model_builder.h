@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/cga/derivation.h"
+#include "core/cga/material_table.h"
 #include "core/cga/shape.h"
 
 namespace pcg::cga {
@@ -24,22 +25,19 @@ public:
 	void add_zone(std::string_view type, const Shape &shape, double flat_height);
 	// False: the shape belongs to no object.
 	bool add_place(const Shape &shape);
-	// For GeometryFace::material; 0 if there are too many.
-	uint16_t asset_material(const Material &material);
+	MaterialTable &materials() { return _materials; }
 	void add_report(std::string_view key, double value);
 
 private:
-	uint32_t intern(const Material &material);
-	uint32_t face_material(const GeometryFace &face, const Look &look);
-	void add_face(Mesh &mesh, const Geometry &geometry, const GeometryFace &face, const Shape &shape, const Frame &to_target, uint32_t material);
+	bool add_face(Mesh &mesh, const Geometry &geometry, const GeometryFace &face, const Shape &shape, const Frame &to_target, uint32_t material);
+	void add_corner_data(Mesh &mesh, const Geometry &geometry, uint32_t first, const glm::dmat3 &turn);
 	void add_default_places(ModelObject &object, const Frame &frame);
 	glm::vec3 to_world(glm::dvec3 point) const { return glm::vec3(point + _lot.origin); }
 
 	Lot _lot;
 	DerivationResult _result;
 	std::vector<Frame> _object_frames; // in the derivation's coordinates
-	uint32_t _last_material = 0;
-	std::vector<Material> _asset_materials;
+	MaterialTable _materials;
 	std::vector<glm::dvec3> _points;
 };
 

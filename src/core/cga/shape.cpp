@@ -1,10 +1,42 @@
 #include "core/cga/shape.h"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vector_relational.hpp>
 
 namespace pcg::cga {
+
+namespace {
+
+const CornerData *baked_corners(const Shape &shape, Arena &arena) {
+	const Geometry &geometry = *shape.geometry;
+	if (geometry.corners == nullptr || geometry.corners->normals == nullptr) {
+		return geometry.corners;
+	}
+	CornerData *result = arena.make(*geometry.corners);
+	const glm::dmat3 turn = normal_matrix(shape);
+	glm::dvec3 *normals = arena.allocate<glm::dvec3>(geometry.point_count);
+	for (uint32_t i = 0; i < geometry.point_count; ++i) {
+		const glm::dvec3 normal = turn * result->normals[i];
+		const double length = glm::length(normal);
+		normals[i] = length > 0.0 ? normal / length : glm::dvec3(0.0);
+	}
+	result->normals = normals;
+	return result;
+}
+
+} // namespace
+
+glm::dmat3 normal_matrix(const Shape &shape) {
+	const glm::dvec3 scale = shape.geometry_scale;
+	const double volume = scale.x * scale.y * scale.z;
+	glm::dmat3 result(0.0);
+	for (int axis = 0; axis < 3 && volume != 0.0; ++axis) {
+		result[axis][axis] = (volume > 0.0 ? 1.0 : -1.0) / scale[axis];
+	}
+	return result;
+}
 
 void refit(Shape &shape) {
 	if (shape.geometry == nullptr) {
@@ -43,6 +75,7 @@ const Geometry *baked(const Shape &shape, Arena &arena) {
 		points[i] = shape.to_scope(shape.geometry->points[i]);
 	}
 	result->points = points;
+	result->corners = baked_corners(shape, arena);
 	const glm::dvec3 a = shape.to_scope(shape.geometry->low);
 	const glm::dvec3 b = shape.to_scope(shape.geometry->high);
 	result->low = glm::min(a, b);
@@ -56,12 +89,14 @@ void turn_scope(Shape &shape, const glm::dmat3 &axes, GeometryBuilder &builder, 
 		return;
 	}
 	const glm::dmat3 inverse = glm::transpose(axes);
-	builder.clear();
-	for (uint32_t f = 0; f < shape.geometry->face_count; ++f) {
-		const GeometryFace &face = shape.geometry->faces[f];
+	const Geometry &geometry = *shape.geometry;
+	builder.begin(geometry, inverse * normal_matrix(shape));
+	uint32_t corner = 0; // loops lie one behind the other
+	for (uint32_t f = 0; f < geometry.face_count; ++f) {
+		const GeometryFace &face = geometry.faces[f];
 		for (uint32_t i = 0; i < face.loop_count; ++i) {
-			for (const glm::dvec3 &point : shape.geometry->loop(face.first_loop + i)) {
-				builder.add_point(inverse * shape.to_scope(point));
+			for (; corner < geometry.loop_ends[face.first_loop + i]; ++corner) {
+				builder.add_corner(inverse * shape.to_scope(geometry.points[corner]), corner);
 			}
 			builder.end_loop(1);
 		}

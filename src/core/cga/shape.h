@@ -3,9 +3,9 @@
 #include <cstdint>
 
 #include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
 
 #include "core/cga/geometry.h"
+#include "core/cga/look.h"
 #include "core/cga/scope.h"
 #include "core/lang/value.h"
 
@@ -18,15 +18,6 @@ struct Lot {
 	glm::dmat3 object_axes{ 1.0 }; // x along the first edge, y the face's normal
 	glm::dmat3 street_axes{ 1.0 }; // z towards the widest street; the object's without streets
 	glm::dvec3 center{ 0.0 };
-};
-
-// Material of a shape while it is being derived: plain data, shared until a shape changes it.
-struct Look {
-	glm::vec4 color{ 1.0f };
-	float roughness = 0.9f;
-	float metallic = 0.0f;
-	bool is_double_sided = false;
-	bool has_color = false; // set by a rule: it wins over what an inserted asset brings
 };
 
 // Where and what a shape is (CGA reference, section 2). Copied at every rule call: plain data; what is big lies in the arena and is shared.
@@ -58,6 +49,8 @@ void set_geometry(Shape &shape, const Geometry *geometry);
 void refit(Shape &shape);
 // The geometry in scope coordinates, its mapping applied: for operations that look at every point. nullptr without geometry.
 const Geometry *baked(const Shape &shape, Arena &arena);
+// Brings normals of the geometry into the scope: where it is mirrored they are turned around, where it is flattened there are none.
+glm::dmat3 normal_matrix(const Shape &shape);
 // Turns the scope's axes without moving anything in the world: `axes` are the new axes in scope coordinates. The scope is refitted.
 void turn_scope(Shape &shape, const glm::dmat3 &axes, GeometryBuilder &builder, Arena &arena);
 

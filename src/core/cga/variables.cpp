@@ -64,7 +64,7 @@ template <int channel> Value read_color(Vm &vm) { return Value::of(double(shape_
 template <int channel> bool write_color(Context &context, double value) {
 	Look &look = context.own_look();
 	look.color[channel] = float(std::clamp(value, 0.0, 1.0));
-	look.has_color = true;
+	look.mark(LookPart::Color);
 	return true;
 }
 template <float Look::*member> Value read_look(Vm &vm) { return Value::of(double(shape_of(vm).look->*member)); }
@@ -176,7 +176,7 @@ bool write_variable(Vm &vm, uint32_t variable, const Value &value) {
 		}
 		Look &look = context.own_look();
 		look.color = color;
-		look.has_color = true;
+		look.mark(LookPart::Color);
 		return true;
 	}
 	const bool is_right_type = row.type == ValueType::Bool ? value.is_bool() : value.is_number();

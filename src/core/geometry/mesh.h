@@ -1,27 +1,18 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
+
+#include "core/geometry/material.h"
 
 // The polygons that a derivation hands out. Faces stay whole polygons with holes; triangles are made where an engine or a file needs them.
 // Units: metres, y up, right-handed; outlines run counter-clockwise seen from the side that the face looks to.
 namespace pcg {
-
-// Look of a surface, as glTF's metallic-roughness model has it. Colours are sRGB in 0 .. 1, alpha is the opacity.
-struct Material {
-	std::string name;
-	glm::vec4 color{ 1.0f };
-	float roughness = 0.9f; // 0 .. 1
-	float metallic = 0.0f; // 0 .. 1
-	bool is_double_sided = false;
-
-	friend bool operator==(const Material &, const Material &) = default;
-};
 
 // One polygon: loop `first_loop` is the outline, the others are holes, which run the other way around.
 struct MeshFace {
@@ -31,9 +22,14 @@ struct MeshFace {
 	glm::vec3 normal{ 0.0f, 1.0f, 0.0f }; // unit
 };
 
-// Corners are not shared between faces: each face has its own normal, and texture coordinates run beside the positions.
+// Texture coordinates by set: empty, or one for each position. u to the right, v upwards, (0, 0) is the lower left corner of the picture.
+using UvArrays = std::array<std::vector<glm::vec2>, uv_set_count>;
+
+// Corners are not shared between faces: each face has its own normal, and what else a corner has runs beside the positions.
 struct Mesh {
 	std::vector<glm::vec3> positions;
+	UvArrays uvs;
+	std::vector<glm::vec3> normals; // of corners, unit; empty: all faces are flat
 	std::vector<uint32_t> loop_ends; // loop i owns positions [loop_ends[i - 1], loop_ends[i])
 	std::vector<MeshFace> faces;
 
@@ -45,18 +41,19 @@ struct Mesh {
 	uint32_t first_corner(uint32_t loop_index) const { return loop_index == 0 ? 0 : loop_ends[loop_index - 1]; }
 };
 
-// Triangles of one material, flat shaded: corners of different faces are different vertices. `indices` come in threes, counter-clockwise.
+// Triangles of one material: corners of different faces are different vertices. `indices` come in threes, counter-clockwise.
 struct MeshSurface {
 	uint32_t material = 0;
 	std::vector<glm::vec3> positions;
 	std::vector<glm::vec3> normals;
+	UvArrays uvs;
 	std::vector<uint32_t> indices;
 };
 
 // In order of material; faces without area are left out.
 std::vector<MeshSurface> make_surfaces(const Mesh &mesh);
 
-// Appends `source` with its material indices raised by `material_offset`.
+// Appends `source` with its material indices raised by `material_offset`. Corners that lack a texture coordinate set the other mesh has get (0, 0).
 void append(Mesh &target, const Mesh &source, uint32_t material_offset = 0);
 
 // Sum of the areas of all faces, square metres.

@@ -49,3 +49,39 @@ TEST_CASE("appending shifts loops and materials") {
 	CHECK(mesh.loop(mesh.faces[3].first_loop)[1] == glm::vec3(4, 0, 0));
 	CHECK(area(mesh) == doctest::Approx(180.0));
 }
+
+TEST_CASE("texture coordinates run beside the corners, through appending and into the surfaces") {
+	Mesh mesh = sample();
+	Mesh textured = sample();
+	for (const glm::vec3 &point : textured.positions) {
+		textured.uvs[2].push_back({ point.x, point.z });
+	}
+	append(mesh, textured);
+	append(mesh, sample());
+	REQUIRE(mesh.uvs[2].size() == 33);
+	CHECK(mesh.uvs[0].empty());
+	CHECK(mesh.uvs[2][1] == glm::vec2(0, 0)); // of the first mesh, which has none
+	CHECK(mesh.uvs[2][12] == glm::vec2(10, 0));
+	CHECK(mesh.uvs[2][32] == glm::vec2(0, 0));
+	const auto surfaces = make_surfaces(textured);
+	for (const MeshSurface &surface : surfaces) {
+		REQUIRE(surface.uvs[2].size() == surface.positions.size());
+		for (size_t i = 0; i < surface.positions.size(); ++i) {
+			CHECK(surface.uvs[2][i] == glm::vec2(surface.positions[i].x, surface.positions[i].z));
+		}
+	}
+}
+
+TEST_CASE("flat faces keep their normals beside smooth ones") {
+	Mesh smooth = sample();
+	smooth.normals.assign(smooth.positions.size(), glm::vec3(1, 0, 0));
+	Mesh mesh = sample();
+	append(mesh, smooth);
+	append(mesh, sample());
+	REQUIRE(mesh.normals.size() == 33);
+	CHECK(mesh.normals[0] == glm::vec3(0, 1, 0));
+	CHECK(mesh.normals[10] == glm::vec3(0, 0, 1));
+	CHECK(mesh.normals[11] == glm::vec3(1, 0, 0));
+	CHECK(mesh.normals[32] == glm::vec3(0, 0, 1));
+	CHECK(make_surfaces(smooth)[0].normals[0] == glm::vec3(1, 0, 0));
+}

@@ -12,6 +12,7 @@
 #include "core/cga/derivation.h"
 #include "core/cga/dialect.h"
 #include "core/io/rule_loader.h"
+#include "appearance_expectations.h"
 
 // Runs every file of tests/rules/cga against the `// expect` lines at its top. The format is in tests/rules/cga/README.md.
 namespace {
@@ -40,6 +41,16 @@ std::vector<glm::dvec3> read_points(std::istringstream &line) {
 		points.push_back(point);
 	}
 	return points;
+}
+
+std::vector<glm::dvec2> read_uvs(std::istringstream &line) {
+	std::vector<glm::dvec2> uvs;
+	glm::dvec2 uv;
+	char comma = 0;
+	while (line >> uv.x >> comma >> uv.y) {
+		uvs.push_back(uv);
+	}
+	return uvs;
 }
 
 void read_lot(std::istringstream &line, RuleTest &test) {
@@ -92,6 +103,8 @@ void read_directive(const std::string &text, RuleTest &test) {
 		read_lot(line, test);
 	} else if (word == "hole") {
 		test.shape.faces[0].holes.push_back(read_points(line));
+	} else if (word == "uvs") {
+		test.shape.faces[0].uvs = read_uvs(line);
 	} else if (word == "streets") {
 		for (float width = 0.0f; line >> width;) {
 			test.shape.street_widths.push_back(width);
@@ -161,8 +174,12 @@ struct Keys {
 
 	explicit Keys(std::istringstream &line) {
 		for (std::string key; line >> key;) {
-			const bool is_vector = key == "at" || key == "facing";
-			values.emplace_back(key, is_vector ? read_vector(line) : glm::dvec3(read_number(line)));
+			const bool is_vector = key == "at" || key == "facing" || key == "ambient" || key == "specular" || key == "emissive";
+			const auto read_uv = [&] {
+				const double u = read_number(line);
+				return glm::dvec3(u, read_number(line), 0.0);
+			};
+			values.emplace_back(key, is_vector ? read_vector(line) : key.starts_with("uv") ? read_uv() : glm::dvec3(read_number(line)));
 		}
 	}
 	template <typename Get> bool fits(Get get) const {
@@ -174,17 +191,13 @@ bool has_face(const cga::DerivationResult &model, std::istringstream &line) {
 	const Keys keys(line);
 	return std::ranges::any_of(model.mesh.faces, [&](const MeshFace &face) {
 		return keys.fits([&](const std::string &key) {
-			const glm::vec4 color = model.materials[face.material].color;
 			return key == "at" ? middle(model.mesh, face)
 					: key == "facing" ? glm::dvec3(face.normal)
 					: key == "area" ? glm::dvec3(face_area(model.mesh, face))
 					: key == "corners" ? glm::dvec3(double(model.mesh.loop(face.first_loop).size()))
 					: key == "loops" ? glm::dvec3(face.loop_count)
-					: key == "red" ? glm::dvec3(color.r)
-					: key == "green" ? glm::dvec3(color.g)
-					: key == "blue" ? glm::dvec3(color.b)
-					: key == "opacity" ? glm::dvec3(color.a)
-									   : glm::dvec3(NAN);
+					: key.starts_with("uv") ? corner_uv(model.mesh, face, key)
+											: material_value(model.materials[face.material], key);
 		});
 	});
 }
@@ -310,6 +323,9 @@ bool is_met(const Outcome &outcome, const std::string &expectation) {
 	}
 	if (what == "report") {
 		return has_report(model, line);
+	}
+	if (what == "texture") {
+		return has_texture(model, line);
 	}
 	if (what == "bounds") {
 		return has_bounds(model, line);

@@ -20,7 +20,7 @@ Flow color_from_text(Vm &vm, const Args &args) {
 	}
 	Look &look = context.own_look();
 	look.color = color;
-	look.has_color = true;
+	look.mark(LookPart::Color);
 	return Flow::Next;
 }
 
@@ -30,7 +30,7 @@ Flow color_from_numbers(Vm &vm, const Args &args) {
 	for (int i = 0; i < int(args.count()); ++i) {
 		look.color[i] = float(std::clamp(context.finite(args[size_t(i)]), 0.0, 1.0));
 	}
-	look.has_color = true;
+	look.mark(LookPart::Color);
 	return Flow::Next;
 }
 

@@ -16,7 +16,7 @@ const Geometry *geometry_of(const Asset &asset, Context &context) {
 	GeometryBuilder builder;
 	std::vector<uint16_t> materials;
 	for (const Material &material : asset.materials) {
-		materials.push_back(context.model.asset_material(material));
+		materials.push_back(context.model.materials().asset_material(material));
 	}
 	for (const MeshFace &face : asset.mesh.faces) {
 		for (uint32_t i = 0; i < face.loop_count; ++i) {

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <unordered_map>
+#include <vector>
+
+#include "core/cga/look.h"
+#include "core/cga/text_pool.h"
+#include "core/geometry/material.h"
+
+namespace pcg::cga {
+
+// The materials of a model: each look, on each material of an inserted asset, once, in order of first use.
+class MaterialTable {
+public:
+	void begin();
+	std::vector<Material> take() { return std::move(_materials); }
+
+	// For GeometryFace::material; 0 if there are too many.
+	uint16_t asset_material(const Material &material);
+	// Of a shape's own faces (0) and of those with an asset's material: that one, with what rules have set themselves.
+	uint32_t index_of(const Look &look, uint16_t asset_material);
+	TextPool &texts() { return _texts; }
+	const TextPool &texts() const { return _texts; }
+
+private:
+	struct Known {
+		Look look;
+		TextureSlots textures;
+		uint16_t asset_material = 0;
+		uint32_t material = 0;
+	};
+	bool is(const Known &known, const Look &look, uint16_t asset_material) const {
+		return known.asset_material == asset_material && is_same(known.look, look);
+	}
+	Material make(const Look &look, uint16_t asset_material) const;
+	void set_textures(Material &material, const Look &look, bool is_asset) const;
+	uint32_t add(Material material);
+
+	TextPool _texts;
+	std::vector<Material> _materials;
+	std::vector<Material> _asset_materials;
+	std::deque<Known> _known; // textures of looks point into it
+	std::unordered_multimap<uint64_t, uint32_t> _known_of_hash;
+	uint32_t _last = 0; // in _known
+};
+
+} // namespace pcg::cga
