@@ -36,17 +36,46 @@ Context::Context(const Program &program, const DeriveOptions &options)
 	for (const RuleInfo &rule : program.rules) {
 		_object_tags.push_back(object_tag(rule));
 	}
+	_context_use = context_use(program);
 }
 
-DerivationResult Context::derive(const InitialShape &initial_shape) {
+DerivationResult Context::derive(const InitialShape &initial_shape, const Neighbors &neighbors) {
+	begin(initial_shape, neighbors);
+	if (_context_use.intra) {
+		surroundings.start_recording();
+		run_pass(initial_shape);
+		surroundings.finish_recording(true);
+	}
+	run_pass(initial_shape);
+	return model.take();
+}
+
+std::shared_ptr<const Occluders> Context::occluders(const InitialShape &initial_shape) {
+	begin(initial_shape, {});
+	surroundings.start_recording();
+	run_pass(initial_shape);
+	if (_context_use.intra) {
+		surroundings.finish_recording(true);
+		surroundings.start_recording();
+		run_pass(initial_shape);
+	}
+	return surroundings.finish_recording(false);
+}
+
+void Context::begin(const InitialShape &initial_shape, const Neighbors &neighbors) {
+	surroundings.begin(neighbors, _options.occlusion_distance);
+	_start = std::chrono::steady_clock::now();
+	_initial_shape = &initial_shape;
+}
+
+void Context::run_pass(const InitialShape &initial_shape) {
 	if (set_up(initial_shape)) {
+		surroundings.set_place(world_bounds(shape, _lot.origin), _lot.origin);
 		const RuleId start = start_rule();
 		if (is_valid(start)) {
 			run_rules(start);
 		}
 	}
-	_initial_shape = nullptr;
-	return model.take();
 }
 
 bool Context::set_up(const InitialShape &initial_shape) {
@@ -66,6 +95,7 @@ bool Context::set_up(const InitialShape &initial_shape) {
 	model.begin(_lot);
 	model.result().diagnostics.append(diagnostics);
 	vm.begin(initial_shape.seed);
+	vm.forget_warnings();
 	vm.use_random(_body.random);
 	if (is_usable) {
 		set_overrides();
@@ -150,14 +180,38 @@ bool Context::run_rule(const Pending &pending) {
 	const RunState state = vm.call(pending.rule, { pending.args, pending.arg_count });
 	_saved.pop_back();
 	if (!_body.is_replaced) {
-		model.add_leaf(shape);
+		add_leaf(shape);
 	}
 	return state == RunState::Finished && !_is_stopped;
+}
+
+void Context::add_leaf(const Shape &leaf) {
+	surroundings.record(leaf, 0);
+	model.add_leaf(leaf);
+}
+
+bool Context::is_interrupted() {
+	const double most_seconds = _options.limits.max_seconds;
+	const bool is_cancelled = _options.cancel != nullptr && _options.cancel->load(std::memory_order_relaxed);
+	const bool is_late = most_seconds > 0.0 && std::chrono::duration<double>(std::chrono::steady_clock::now() - _start).count() > most_seconds;
+	if ((is_cancelled || is_late) && !_is_stopped) {
+		_is_stopped = true;
+		if (is_cancelled) {
+			model.result().diagnostics.error("cancelled", "the derivation was cancelled");
+		} else {
+			model.result().diagnostics.error("time-limit", "the derivation was stopped after " + value_text(Value::of(most_seconds)) + " seconds",
+					"raise the limit, or look for a rule that calls itself without end");
+		}
+	}
+	return _is_stopped;
 }
 
 bool Context::count_shape() {
 	const DeriveLimits &limits = _options.limits;
 	DerivationResult &result = model.result();
+	if ((result.shape_count & 63) == 63 && is_interrupted()) {
+		return false;
+	}
 	if (result.shape_count < limits.max_shapes && result.face_count <= limits.max_faces) {
 		++result.shape_count;
 		return true;
@@ -186,13 +240,16 @@ bool Context::is_paper_rule() const {
 Flow Context::call_rule(Vm &, RuleId rule, std::span<const Value> args) {
 	mark_replaced();
 	Shape child = shape;
+	if (surroundings.is_active()) {
+		child.tree = surroundings.child(shape.tree, _body.child_count);
+	}
 	child.seed = derive_seed(shape.seed, _body.child_count++);
 	child.depth = shape.depth + 1;
 	if (_program.rules[index_of(rule)].is_leaf_symbol) {
 		if (!count_shape()) {
 			return Flow::Stop;
 		}
-		model.add_leaf(child);
+		add_leaf(child);
 		return Flow::Next;
 	}
 	if (child.depth > _options.limits.max_depth) {
@@ -223,12 +280,15 @@ Flow Context::run_child(const Shape &child, Chunk body) {
 	const uint64_t seed = derive_seed(outer.seed, outer_body.child_count);
 	make_current(child);
 	shape.seed = seed;
+	if (surroundings.is_active()) {
+		shape.tree = surroundings.child(outer.tree, outer_body.child_count);
+	}
 	_body = { Random(seed), 0, false };
 	_saved.push_back(shape);
 	const Flow flow = vm.run_body(body);
 	_saved.pop_back();
 	if (!_body.is_replaced) {
-		model.add_leaf(shape);
+		add_leaf(shape);
 	}
 	make_current(outer);
 	_body = outer_body;
@@ -287,8 +347,12 @@ Deriver::Deriver(const Program &program, const DeriveOptions &options) : _state(
 
 Deriver::~Deriver() = default;
 
-DerivationResult Deriver::derive(const InitialShape &shape) {
-	return _state->context.derive(shape);
+DerivationResult Deriver::derive(const InitialShape &shape, const Neighbors &neighbors) {
+	return _state->context.derive(shape, neighbors);
+}
+
+std::shared_ptr<const Occluders> Deriver::occluders(const InitialShape &shape) {
+	return _state->context.occluders(shape);
 }
 
 DerivationResult derive(const Program &program, const InitialShape &shape, const DeriveOptions &options) {

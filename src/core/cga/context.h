@@ -1,6 +1,8 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
+#include <memory>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -11,6 +13,8 @@
 #include "core/cga/model_builder.h"
 #include "core/cga/selectors.h"
 #include "core/cga/shape.h"
+#include "core/cga/surroundings.h"
+#include "core/cga/trim.h"
 #include "core/lang/vm.h"
 
 // One running derivation: what the operations act on. A rule call only puts a copy of the current shape aside; the rules of these copies run,
@@ -22,7 +26,8 @@ class Context final : public VmHost {
 public:
 	Context(const Program &program, const DeriveOptions &options);
 
-	DerivationResult derive(const InitialShape &initial_shape);
+	DerivationResult derive(const InitialShape &initial_shape, const Neighbors &neighbors);
+	std::shared_ptr<const Occluders> occluders(const InitialShape &initial_shape);
 
 	// For operations, functions and variables.
 	static Context &of(Vm &vm) { return static_cast<Context &>(vm.host()); }
@@ -31,6 +36,8 @@ public:
 	GeometryBuilder builder;
 	Clipper clipper;
 	ModelBuilder model;
+	Surroundings surroundings;
+	Trimmer trimmer;
 	const Lot &lot() const { return _lot; }
 	const InitialShape &initial_shape() const { return *_initial_shape; }
 	const DeriveLimits &limits() const { return _options.limits; }
@@ -45,6 +52,8 @@ public:
 	Value evaluate_on(const Shape &other, Chunk chunk);
 	// The current shape gets a successor: it is no leaf itself.
 	void mark_replaced() { _body.is_replaced = true; }
+	// The current shape, as queries of other shapes may find it: before operations that take a body apart, and for label().
+	void record_occluder(uint64_t label = 0) { surroundings.record(shape, label); }
 	// Copies of what shapes share, to be changed: the current shape's own afterwards.
 	Look &own_look();
 	void own_attributes();
@@ -59,6 +68,7 @@ public:
 	Flow call_rule(Vm &vm, RuleId rule, std::span<const Value> args) override;
 	void push_group(Vm &vm) override;
 	void pop_group(Vm &vm) override;
+	bool is_interrupted() override;
 	void report(Diagnostic diagnostic) override { model.result().diagnostics.add(std::move(diagnostic)); }
 
 	Vm vm;
@@ -78,12 +88,15 @@ private:
 		Arena::Mark mark;
 	};
 
+	void run_pass(const InitialShape &initial_shape);
+	void begin(const InitialShape &initial_shape, const Neighbors &neighbors);
 	bool set_up(const InitialShape &initial_shape);
 	RuleId start_rule();
 	void set_overrides();
 	void run_rules(RuleId start);
 	bool run_rule(const Pending &pending);
 	void make_current(const Shape &other);
+	void add_leaf(const Shape &leaf);
 	bool count_shape(); // false: there are too many
 
 	const Program &_program;
@@ -97,6 +110,8 @@ private:
 	std::vector<Selector> _selectors; // by symbol
 	std::vector<std::string_view> _object_tags; // by rule; empty: no object
 	Look _default_look;
+	ContextUse _context_use;
+	std::chrono::steady_clock::time_point _start;
 	bool _is_stopped = false; // a limit was met
 };
 

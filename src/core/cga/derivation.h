@@ -1,7 +1,9 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -56,11 +58,17 @@ struct DeriveLimits {
 	uint32_t max_repeats = 100'000; // parts of one split
 	uint64_t max_faces = 20'000'000;
 	uint64_t max_steps = 200'000'000; // interpreter steps
+	// Of real time for one initial shape; 0 = as long as it takes. What comes out of a run that meets it depends on the machine.
+	double max_seconds = 0.0;
 };
 
 struct DeriveOptions {
 	DeriveLimits limits;
 	const AssetProvider *assets = nullptr; // none: inserted files become boxes, with a warning
+	const std::atomic<bool> *cancel = nullptr; // set by anybody to stop early: ends as at a limit, with the error "cancelled"
+	// Metres from the bounding box of the initial shape: how far occlusion queries look for others (CGA reference: cga_context). Queries
+	// by label (minimumDistance ..) look at all of them.
+	double occlusion_distance = 1.0;
 };
 
 // entrance(type [, capacity]): at the scope's origin, looking along its z.
@@ -115,6 +123,15 @@ struct DerivationResult {
 	uint64_t face_count = 0; // of all meshes
 };
 
+class Occluders;
+
+// What the derivation of one initial shape may ask about others (CGA reference: inter queries).
+struct Neighbors {
+	// One for each initial shape of the scene, in an order that stays the same; nullptr: not known.
+	std::span<const std::shared_ptr<const Occluders>> all;
+	size_t self = SIZE_MAX; // the asking shape's own, left out
+};
+
 // Never fails: bad input gives diagnostics and as much of a model as could be made. Safe to call from several threads with one program.
 DerivationResult derive(const Program &program, const InitialShape &shape, const DeriveOptions &options = {});
 
@@ -126,7 +143,9 @@ public:
 	Deriver(const Deriver &) = delete;
 	Deriver &operator=(const Deriver &) = delete;
 
-	DerivationResult derive(const InitialShape &shape);
+	DerivationResult derive(const InitialShape &shape, const Neighbors &neighbors = {});
+	// What its neighbours see of it: a derivation in which queries about other initial shapes answer false, 0 or infinity.
+	std::shared_ptr<const Occluders> occluders(const InitialShape &shape);
 
 private:
 	struct State;

@@ -15,6 +15,7 @@ Dialect make_dialect() {
 	dialect.unknown_names = Dialect::UnknownNames::LeafSymbol;
 	add_math_functions(dialect);
 	add_functions(dialect);
+	add_context_functions(dialect);
 	add_variables(dialect);
 	add_transform_operations(dialect);
 	add_split_operations(dialect);

@@ -20,6 +20,22 @@ struct Lot {
 	glm::dvec3 center{ 0.0 };
 };
 
+// The planes that comp(f) puts through the edges of a face, not worked out before something asks for them (CGA reference, section 7.6).
+struct TrimSource {
+	const Geometry *geometry = nullptr; // of the shape that was split, in its scope's coordinates
+	Frame frame; // of that scope
+	uint64_t id = 0; // different for each split
+	bool keeps_axes = false; // comp(f, noAlign)
+	const TrimSource *outer = nullptr; // planes that the split shape brought along, those of its face `outer_face`
+	uint32_t outer_face = 0;
+};
+
+// A shape in the tree of a derivation as another pass recorded it: `node` is the last one on its path that the recorded tree has too.
+struct TreePlace {
+	uint32_t node = 0;
+	bool is_beyond = false; // the path goes on where the recorded tree does not
+};
+
 // Where and what a shape is (CGA reference, section 2). Copied at every rule call: plain data; what is big lies in the arena and is shared.
 struct Shape {
 	const Geometry *geometry = nullptr; // nullptr: a scope without geometry
@@ -38,6 +54,10 @@ struct Shape {
 	uint32_t split_index = 0, split_total = 0;
 	uint32_t comp_index = 0, comp_total = 0;
 	uint32_t comp_selector = no_symbol; // in Program::texts
+	const TrimSource *trim = nullptr;
+	uint32_t trim_face = 0;
+	bool trims_vertically = true, trims_horizontally = false; // trim.vertical, trim.horizontal
+	TreePlace tree; // only where rules ask about other shapes
 
 	Frame frame() const { return *pivot * Frame{ rotation, position }; }
 	glm::dvec3 to_scope(glm::dvec3 point) const { return geometry_offset + geometry_scale * point; }

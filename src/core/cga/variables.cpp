@@ -73,6 +73,11 @@ template <float Look::*member> bool write_look(Context &context, double value) {
 	return true;
 }
 bool write_nothing(Context &, double) { return true; }
+template <bool Shape::*member> Value read_flag(Vm &vm) { return Value::of(shape_of(vm).*member); }
+template <bool Shape::*member> bool write_flag(Context &context, double value) {
+	context.shape.*member = value != 0.0;
+	return true;
+}
 Value read_zero(Vm &) { return Value::of(0.0); }
 
 template <uint32_t Shape::*member> Value read_index(Vm &vm) { return Value::of(double(shape_of(vm).*member)); }
@@ -134,8 +139,10 @@ constexpr Row rows[] = {
 	{ "material.metallic", number, read_look<&Look::metallic>, write_look<&Look::metallic>, "0 or 1." },
 	{ "material.shininess", number, read_zero, write_nothing, "Accepted without effect; set material.roughness." },
 	{ "material.reflectivity", number, read_zero, write_nothing, "Accepted without effect; set material.roughness." },
-	{ "trim.horizontal", ValueType::Bool, nullptr, write_nothing, "Accepted without effect: nothing is trimmed yet." },
-	{ "trim.vertical", ValueType::Bool, nullptr, write_nothing, "Accepted without effect: nothing is trimmed yet." },
+	{ "trim.horizontal", ValueType::Bool, read_flag<&Shape::trims_horizontally>, write_flag<&Shape::trims_horizontally>,
+			"Whether inserted geometry is cut at edges less than 40 degrees from the floor of their face; off unless it is set." },
+	{ "trim.vertical", ValueType::Bool, read_flag<&Shape::trims_vertically>, write_flag<&Shape::trims_vertically>,
+			"Whether inserted geometry is cut at the other edges of its face; on unless it is set." },
 };
 
 Value read_color_text(Vm &vm) {
@@ -149,13 +156,8 @@ Value read_color_text(Vm &vm) {
 	return Value::of(vm.make_text(result));
 }
 
-Value read_false(Vm &) { return Value::of(false); }
-
 VariableHandler reader_of(const Row &row) {
-	if (row.read != nullptr) {
-		return row.read;
-	}
-	return row.type == text ? read_color_text : read_false;
+	return row.read != nullptr ? row.read : read_color_text;
 }
 
 } // namespace
@@ -180,7 +182,7 @@ bool write_variable(Vm &vm, uint32_t variable, const Value &value) {
 		return true;
 	}
 	const bool is_right_type = row.type == ValueType::Bool ? value.is_bool() : value.is_number();
-	return is_right_type && row.write != nullptr && row.write(context, context.finite(value));
+	return is_right_type && row.write != nullptr && row.write(context, value.is_bool() ? double(value.boolean) : context.finite(value));
 }
 
 } // namespace pcg::cga

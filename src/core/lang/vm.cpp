@@ -75,7 +75,12 @@ void Vm::hide_slots() {
 }
 
 bool Vm::count_step() {
-	if (++_steps <= _limits.max_steps) {
+	if (++_steps <= _limits.max_steps) [[likely]] {
+		constexpr uint64_t steps_between_questions = 0x4000;
+		if (_steps % steps_between_questions == 0 && _host->is_interrupted()) {
+			_failed = true;
+			return false;
+		}
 		return true;
 	}
 	fail("step-limit", "gave up after " + std::to_string(_limits.max_steps) + " calls in one run",

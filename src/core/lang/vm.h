@@ -34,6 +34,8 @@ public:
 	// `[` and `]`, beside the interpreter's own saving of locals. Every push is followed by its pop, after an error too.
 	virtual void push_group(Vm &) {}
 	virtual void pop_group(Vm &) {}
+	// Asked now and then: true ends the run as an error does, whose message is the host's.
+	virtual bool is_interrupted() { return false; }
 	// Every run-time error of this run, once: file, line, column and message are set. `what` of a household or lot is the host's to add.
 	virtual void report(Diagnostic diagnostic) = 0;
 };
@@ -112,6 +114,8 @@ public:
 	Value fail(std::string_view id, std::string message, std::string hint = {});
 	// The same as a warning, once per place in the source; the run goes on.
 	void warn(std::string_view id, std::string message, std::string hint = {});
+	// Warnings are told again: for hosts whose runs are told apart.
+	void forget_warnings() { _warned.clear(); }
 	bool has_failed() const { return _failed; }
 	SourcePlace place() const;
 	// Of the running instruction and different for each call in the source: hosts count uses of a call by it. Program::places[address() - 1] is its

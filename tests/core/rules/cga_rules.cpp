@@ -11,6 +11,7 @@
 
 #include "core/cga/derivation.h"
 #include "core/cga/dialect.h"
+#include "core/cga/neighborhood.h"
 #include "core/io/rule_loader.h"
 #include "appearance_expectations.h"
 
@@ -24,6 +25,7 @@ constexpr double tolerance = 1e-3;
 struct RuleTest {
 	std::string path;
 	cga::InitialShape shape = cga::InitialShape::rectangle(10.0, 10.0);
+	std::vector<cga::InitialShape> neighbors; // built by the same rules
 	cga::DeriveOptions options;
 	std::vector<std::string> expectations;
 };
@@ -60,6 +62,17 @@ void read_lot(std::istringstream &line, RuleTest &test) {
 		test.shape.faces = cga::InitialShape::rectangle(width, depth).faces;
 	} else {
 		test.shape.faces = { { read_points(line), {} } };
+	}
+}
+
+// "12x8 at 15,0,0": where its front left corner lies.
+void read_neighbor(const std::string &text, RuleTest &test) {
+	double width = 0.0, depth = 0.0;
+	glm::dvec3 at(0.0);
+	REQUIRE_MESSAGE(std::sscanf(text.c_str(), "neighbor %lfx%lf at %lf,%lf,%lf", &width, &depth, &at.x, &at.y, &at.z) == 5, test.path << ": " << text);
+	test.neighbors.push_back(cga::InitialShape::rectangle(width, depth));
+	for (glm::dvec3 &point : test.neighbors.back().faces[0].outline) {
+		point += at;
 	}
 }
 
@@ -101,6 +114,8 @@ void read_directive(const std::string &text, RuleTest &test) {
 		test.expectations.push_back(text.substr(text.find("expect") + 7));
 	} else if (word == "lot") {
 		read_lot(line, test);
+	} else if (word == "neighbor") {
+		read_neighbor(text, test);
 	} else if (word == "hole") {
 		test.shape.faces[0].holes.push_back(read_points(line));
 	} else if (word == "uvs") {
@@ -343,7 +358,9 @@ Outcome run(const RuleTest &test) {
 	Outcome outcome;
 	const auto program = load_program(test.path, cga::cga_dialect(), outcome.diagnostics);
 	if (program != nullptr) {
-		outcome.model = cga::derive(*program, test.shape, test.options);
+		std::vector<cga::InitialShape> shapes = test.neighbors;
+		shapes.push_back(test.shape);
+		outcome.model = std::move(cga::derive_all(*program, shapes, test.options, { 1, {}, nullptr }).back());
 		outcome.diagnostics.append(outcome.model.diagnostics);
 	}
 	return outcome;

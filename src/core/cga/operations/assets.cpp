@@ -30,6 +30,15 @@ const Geometry *geometry_of(const Asset &asset, Context &context) {
 	return builder.finish(context.arena, false);
 }
 
+void trim_inserted(Context &context) {
+	context.trimmer.trim(context.shape, context.clipper, context.arena);
+}
+
+Flow trim(Vm &vm, const Args &) {
+	trim_inserted(Context::of(vm));
+	return Flow::Next;
+}
+
 Flow insert(Vm &vm, const Args &args) {
 	Context &context = Context::of(vm);
 	const std::string_view name = args[0].is_text() ? args[0].text->view : std::string_view();
@@ -44,6 +53,7 @@ Flow insert(Vm &vm, const Args &args) {
 		}
 	}
 	fit_to_scope(context.shape, geometry != nullptr ? geometry : make_cube(context.arena));
+	trim_inserted(context);
 	return Flow::Next;
 }
 
@@ -63,6 +73,7 @@ Flow put(Context &context, const Geometry *geometry, const Args &args, size_t ra
 		shape.size = size;
 	}
 	fit_to_scope(shape, geometry);
+	trim_inserted(context);
 	return Flow::Next;
 }
 
@@ -75,6 +86,7 @@ Flow cube(Vm &vm, const Args &args) {
 		shape.size = size;
 	}
 	fit_to_scope(shape, make_cube(context.arena));
+	trim_inserted(context);
 	return Flow::Next;
 }
 
@@ -93,6 +105,7 @@ Flow quad(Vm &vm, const Args &args) {
 	shape.size[normal] = 0.0;
 	fit_to_scope(shape, make_quad(normal, context.arena));
 	shape.size[normal] = 0.0;
+	trim_inserted(context);
 	return Flow::Next;
 }
 
@@ -127,6 +140,8 @@ void add_asset_operations(Dialect &dialect) {
 	const ParamSpec sides = { "sides", Number, {}, true }, radius = { "radius", Number, {}, true }, height = { "height", Number, {}, true };
 	operations.push_back({ "i", { { "file", Text } }, BlockKind::None, insert,
 			"Replaces the geometry by an asset that fills the scope; sizes of 0 follow from the asset. \"builtin:cube\" is a box." });
+	operations.push_back({ "trim", {}, BlockKind::None, trim,
+			"Cuts the geometry by the planes that comp(f) put through the edges of its face, as far as trim.vertical and trim.horizontal are on." });
 	operations.push_back({ "primitiveCube", {}, BlockKind::None, cube, "A box that fills the scope." });
 	operations.push_back({ "primitiveCube", { { "x", Size }, { "y", Size }, { "z", Size } }, BlockKind::None, cube, "A box on the middle of the scope's floor." });
 	operations.push_back({ "primitiveQuad", {}, BlockKind::None, quad, "A rectangle that fills the scope." });

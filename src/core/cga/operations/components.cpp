@@ -24,6 +24,10 @@ public:
 			return Flow::Next;
 		}
 		_geometry = geometry;
+		_context.record_occluder();
+		if (_kind == ComponentKind::Faces) {
+			_trim = _context.trimmer.source_of(_parent, *geometry, _keeps_axes, _context.arena);
+		}
 		_components = components_of(*geometry, _kind);
 		_entries = _context.vm.entries(block);
 		assign();
@@ -97,6 +101,10 @@ private:
 		child.comp_index = index;
 		child.comp_total = total;
 		child.comp_selector = entry.word;
+		if (_trim != nullptr && entry.separator == BlockEntry::Separator::Each) {
+			child.trim = _trim;
+			child.trim_face = _components[components[0]].face;
+		}
 		return child.geometry != nullptr ? _context.run_child(child, entry.body) : Flow::Next;
 	}
 
@@ -119,6 +127,7 @@ private:
 	ComponentKind _kind;
 	bool _keeps_axes;
 	const Geometry *_geometry = nullptr;
+	const TrimSource *_trim = nullptr;
 	std::vector<ComponentInfo> _components;
 	std::span<const BlockEntry> _entries;
 	std::vector<uint32_t> _entry_of;

@@ -27,7 +27,12 @@ Flow print(Vm &vm, const Args &args) {
 	return Flow::Next;
 }
 
-Flow nothing(Vm &, const Args &) {
+Flow label(Vm &vm, const Args &args) {
+	if (!args[0].is_text() || args[0].text->view.empty()) {
+		vm.warn("empty-label", "a label without a name finds nothing", "queries ask for labels by name: label(\"block\")");
+		return Flow::Next;
+	}
+	Context::of(vm).record_occluder(hash_text(args[0].text->view));
 	return Flow::Next;
 }
 
@@ -40,7 +45,8 @@ void add_flow_operations(Dialect &dialect) {
 	operations.push_back({ "report", { { "key", Text }, { "value", Any } }, BlockKind::None, report,
 			"Adds a number to the model's list of reports: sum, average, smallest, largest and count for each key." });
 	operations.push_back({ "print", { { "value", Any } }, BlockKind::None, print, "Writes a value to the model's list of messages." });
-	operations.push_back({ "label", { { "name", Text } }, BlockKind::None, nothing, "Accepted; there are no context queries yet that could ask for it." });
+	operations.push_back({ "label", { { "name", Text } }, BlockKind::None, label,
+			"Makes the shape, as it is now, known to queries that ask for this label: inside, overlaps, touches, minimumDistance, contextCount, contextCompare." });
 }
 
 } // namespace pcg::cga

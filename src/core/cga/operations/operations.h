@@ -17,6 +17,7 @@ void add_semantic_operations(Dialect &dialect); // entrance zone place
 
 void add_variables(Dialect &dialect); // scope.sx split.index ..
 void add_functions(Dialect &dialect); // geometry.area ..
+void add_context_functions(Dialect &dialect); // inside touches minimumDistance ..
 // Of set(): false if the variable cannot be written to.
 bool write_variable(Vm &vm, uint32_t variable, const Value &value);
 

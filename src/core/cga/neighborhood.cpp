@@ -1,0 +1,90 @@
+#include "core/cga/neighborhood.h"
+
+#include <mutex>
+
+#include <glm/common.hpp>
+
+#include "core/geometry/bounds_tree.h"
+
+namespace pcg::cga {
+
+namespace {
+
+Bounds3 bounds_of(const InitialShape &shape) {
+	Bounds3 bounds;
+	bool is_first = true;
+	for (const InitialShape::Face &face : shape.faces) {
+		for (const glm::dvec3 &point : face.outline) {
+			bounds = is_first ? Bounds3{ point, point } : Bounds3{ glm::min(bounds.low, point), glm::max(bounds.high, point) };
+			is_first = false;
+		}
+	}
+	return bounds;
+}
+
+// One interpreter per thread at a time, and each kept for the next lot.
+class Pool {
+public:
+	Pool(const Program &program, const DeriveOptions &options) : _program(program), _options(options) {}
+
+	template <typename Use> void with(Use use) {
+		std::unique_ptr<Deriver> deriver;
+		{
+			const std::lock_guard<std::mutex> lock(_mutex);
+			if (!_resting.empty()) {
+				deriver = std::move(_resting.back());
+				_resting.pop_back();
+			}
+		}
+		if (!deriver) {
+			deriver = std::make_unique<Deriver>(_program, _options);
+		}
+		use(*deriver);
+		const std::lock_guard<std::mutex> lock(_mutex);
+		_resting.push_back(std::move(deriver));
+	}
+
+private:
+	const Program &_program;
+	DeriveOptions _options;
+	std::mutex _mutex;
+	std::vector<std::unique_ptr<Deriver>> _resting;
+};
+
+} // namespace
+
+std::vector<bool> asked_about(std::span<const DeriveJob> jobs, std::span<const size_t> asking, double occlusion_distance) {
+	std::vector<bool> result(jobs.size(), false);
+	std::vector<Bounds3> boxes;
+	for (const DeriveJob &job : jobs) {
+		boxes.push_back(bounds_of(*job.shape));
+	}
+	BoundsTree tree;
+	tree.build(boxes);
+	const glm::dvec3 margin(occlusion_distance + 1e-3);
+	for (const size_t job : asking) {
+		if (context_use(*jobs[job].program).inter_labels) {
+			return std::vector<bool>(jobs.size(), true);
+		}
+		tree.any(boxes[job].low - margin, boxes[job].high + margin, [&](uint32_t other) {
+			result[other] = result[other] || other != job;
+			return false;
+		});
+	}
+	return result;
+}
+
+std::vector<DerivationResult> derive_all(const Program &program, std::span<const InitialShape> shapes, const DeriveOptions &options, const WorkOptions &work) {
+	Pool pool(program, options);
+	std::vector<std::shared_ptr<const Occluders>> occluders(shapes.size());
+	if (context_use(program).asks_inter() && shapes.size() > 1) {
+		parallel_for(shapes.size(), work, [&](size_t i) { pool.with([&](Deriver &deriver) { occluders[i] = deriver.occluders(shapes[i]); }); });
+	}
+	std::vector<DerivationResult> results(shapes.size());
+	parallel_for(shapes.size(), work, [&](size_t i) {
+		pool.with([&](Deriver &deriver) { results[i] = deriver.derive(shapes[i], { occluders, i }); });
+	});
+	return results;
+}
+
+} // namespace pcg::cga
