@@ -94,29 +94,6 @@ TEST_CASE("equal seeds give equal models, other seeds others, in any thread and 
 	CHECK(is_same(first.mesh, threaded.mesh));
 }
 
-TEST_CASE("the shipped rules derive without a message on lots of many sizes, each with its entrance at the ground") {
-	const std::pair<const char *, const char *> files[] = { { "house", "house" }, { "apartment", "shop" }, { "workplace", "workplace" }, { "school", "school" },
-		{ "shop", "shop" }, { "restaurant", "restaurant" } };
-	for (const auto &[name, type] : files) {
-		const auto program = shipped("rules/cga/" + std::string(name) + ".cga");
-		for (const auto &[width, depth] : { std::pair(20.0, 20.0), { 14.0, 25.0 }, { 40.0, 30.0 } }) {
-			for (uint64_t seed = 0; seed < 10; ++seed) {
-				const DerivationResult model = derive(*program, InitialShape::rectangle(width, depth, seed));
-				INFO(name << " " << width << " x " << depth << " seed " << seed << "\n" << to_text(model.diagnostics));
-				CHECK(model.diagnostics.is_empty());
-				CHECK(model.mesh.faces.size() > 50);
-				const auto has_type = [&](const ModelEntrance &e) { return e.type == type; };
-				CHECK(std::ranges::any_of(model.entrances, has_type));
-				for (const ModelEntrance &entrance : model.entrances) {
-					CHECK(std::abs(entrance.position.y) < 1e-3f);
-					CHECK(entrance.facing.z == doctest::Approx(1.0f));
-					CHECK(entrance.capacity > 0);
-				}
-			}
-		}
-	}
-}
-
 TEST_CASE("a lot far from the origin has the same model, moved") {
 	const auto program = compiled("Lot --> extrude(3) comp(f) { front : split(x) { { ~1 : A. }* } | all : B. }");
 	const DerivationResult here = derive(*program, InitialShape::rectangle(10.0, 10.0));
