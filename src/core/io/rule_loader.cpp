@@ -54,22 +54,23 @@ Result<std::string> MemorySourceProvider::read(const std::string &path) {
 }
 
 std::shared_ptr<const Program> load_program(const std::string &path, const Dialect &dialect, SourceProvider &provider,
-		Diagnostics &diagnostics) {
+		Diagnostics &diagnostics, std::string_view style) {
 	if (is_other_language(path, dialect)) {
 		diagnostics.add({ Severity::Error, "wrong-dialect", path, 0, 0, "this file is not in the language that is wanted here: " + std::string(dialect.title), "buildings are written in .cga files, days in .pcg files", {} });
 		return nullptr;
 	}
 	Diagnostics found;
-	const RuleSet set = load_rule_set(path, dialect, provider, found);
+	const RuleSet set = load_rule_set(path, dialect, provider, found, style);
 	auto program = compile(set, dialect, found);
 	found.sort();
 	diagnostics.append(found);
 	return program;
 }
 
-std::shared_ptr<const Program> load_program(const std::string &path, const Dialect &dialect, Diagnostics &diagnostics) {
+std::shared_ptr<const Program> load_program(const std::string &path, const Dialect &dialect, Diagnostics &diagnostics,
+		std::string_view style) {
 	FileSourceProvider files;
-	return load_program(path, dialect, files, diagnostics);
+	return load_program(path, dialect, files, diagnostics, style);
 }
 
 } // namespace pcg

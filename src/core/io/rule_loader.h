@@ -27,10 +27,12 @@ private:
 	std::map<std::string, std::string> _texts;
 };
 
-// Null if there were errors; warnings may come with a program. The dialect must outlive the program.
+// Null if there were errors; warnings may come with a program. The dialect must outlive the program. `style`: of the main file
+// (CGA reference: style), one of Program::styles or empty for Default.
 std::shared_ptr<const Program> load_program(const std::string &path, const Dialect &dialect, SourceProvider &provider,
-		Diagnostics &diagnostics);
+		Diagnostics &diagnostics, std::string_view style = {});
 // The same from this machine's files.
-std::shared_ptr<const Program> load_program(const std::string &path, const Dialect &dialect, Diagnostics &diagnostics);
+std::shared_ptr<const Program> load_program(const std::string &path, const Dialect &dialect, Diagnostics &diagnostics,
+		std::string_view style = {});
 
 } // namespace pcg

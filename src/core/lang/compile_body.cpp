@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <charconv>
 
 #include "core/lang/compiler.h"
 
@@ -34,20 +35,38 @@ void Compiler::command(const Command &command) {
 			chance_command(command);
 			return;
 		case CommandKind::Inline:
-			not_supported(command.offset, "inline; its commands run as if they stood here");
-			body(command.body);
+			inline_command(command);
 			return;
-		case CommandKind::ImportCall: {
-			not_supported(command.offset, "calls of an import with attributes of their own; the rule runs with the import's attributes");
-			Command plain = command;
-			plain.kind = CommandKind::Call;
-			const std::string name = std::string(_scope.ast->import_calls[command.block].import) + "." + std::string(command.name);
-			plain.block = no_node;
-			plain.name = _program->texts[symbol(name)].view;
-			call_command(plain);
+		case CommandKind::ImportCall:
+			import_command(command);
 			return;
-		}
 	}
+}
+
+// inline { .. }: an operation with one body, where the dialect has it.
+void Compiler::inline_command(const Command &command) {
+	const int operation = _dialect.find_operation("inline", 1);
+	if (operation < 0) {
+		complain("not-in-this-language", command.offset, "inline exists in CGA only; its commands run as if they stood here");
+		body(command.body);
+		return;
+	}
+	Expr word;
+	word.kind = ExprKind::Name;
+	word.offset = command.offset;
+	word.name = command.name.empty() ? std::string_view("append") : command.name;
+	if (!word_argument(_dialect.operations[size_t(operation)].params[0], word)) {
+		complain("unknown-word", command.offset, "inline takes one of: " + std::string(_dialect.operations[size_t(operation)].params[0].words));
+		emit_constant(Value::of_index(ValueType::Word, 0), command.offset);
+	}
+	BlockEntry entry;
+	entry.place = place(command.offset);
+	entry.body = body_chunk(command.body, command.offset);
+	_program->blocks.push_back({ uint32_t(_program->entries.size()), 1, false });
+	_program->entries.push_back(entry);
+	emit(OpCode::CallBlock, command.offset, -1, uint32_t(_program->blocks.size() - 1), uint32_t(operation), 1);
+	emit(OpCode::Data, command.offset, 0, 0);
+	emit(OpCode::Data, command.offset, 0, 0);
 }
 
 // --- Chains
@@ -272,20 +291,49 @@ BlockEntry Compiler::block_entry(const AstEntry &source, BlockKind kind) {
 				kind == BlockKind::Predicates ? "for everybody: { true: .. }" : "for all: { all: .. }");
 	}
 	if (source.depth != no_node) {
-		not_supported(source.offset, "sizes with a depth");
+		entry.depth = value_chunk(source.depth, true);
 	}
 	if (has_head && kind != BlockKind::Bodies) {
-		const Expr &head = _scope.ast->exprs[source.head];
-		const bool is_word = kind == BlockKind::Selectors && head.kind == ExprKind::Name;
-		entry.word = is_word ? symbol(head.name) : no_symbol;
-		const bool is_defined = is_word && (_set.has_value(_scope.space, head.name) ||
-												   std::find(_scope.locals.begin(), _scope.locals.end(), head.name) != _scope.locals.end());
-		if (!is_word || is_defined) {
-			entry.head = value_chunk(source.head, kind == BlockKind::Sizes);
-		}
+		const BlockEntry head = entry_with_head(source, kind);
+		entry.word = head.word;
+		entry.head = head.head;
+	} else if (kind == BlockKind::Sizes) {
+		entry.head = missing_size(source);
 	}
-	entry.body = body_chunk(source.body, source.offset);
+	entry.body = _has_value_blocks ? value_chunk(source.body, false) : body_chunk(source.body, source.offset);
 	return entry;
+}
+
+BlockEntry Compiler::entry_with_head(const AstEntry &source, BlockKind kind) {
+	BlockEntry entry;
+	const Expr &head = _scope.ast->exprs[source.head];
+	const bool is_word = kind == BlockKind::Selectors && head.kind == ExprKind::Name;
+	entry.word = is_word ? symbol(head.name) : no_symbol;
+	const bool is_defined = is_word && (_set.has_value(_scope.space, head.name) ||
+											   std::find(_scope.locals.begin(), _scope.locals.end(), head.name) != _scope.locals.end());
+	if (!is_word || is_defined) {
+		entry.head = value_chunk(source.head, kind == BlockKind::Sizes);
+	}
+	return entry;
+}
+
+// Up to 2014 a part without a size had the weight 1.
+Chunk Compiler::missing_size(const AstEntry &source) {
+	if (!is_older_than(2015.0)) {
+		warn("missing-size", source.offset, "a size and `:` belong in front of the commands; ~1 is taken", "for what is left: { ~1: .. }");
+	}
+	begin_chunk();
+	Value one = Value::of(1.0);
+	one.size_kind = SizeKind::Flexible;
+	emit_constant(one, source.offset);
+	return end_chunk(OpCode::Return, source.offset);
+}
+
+bool Compiler::is_older_than(double version) const {
+	double own = 2009.1; // of files that do not say it
+	const std::string_view text = _scope.ast->version;
+	std::from_chars(text.data(), text.data() + text.size(), own);
+	return own < version;
 }
 
 } // namespace pcg

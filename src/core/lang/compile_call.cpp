@@ -132,16 +132,17 @@ bool Compiler::argument(const ParamSpec &param, std::string_view name, size_t po
 		case ParamKind::Size:
 		case ParamKind::Bool:
 		case ParamKind::Text:
+		case ParamKind::Array:
 			return value_argument(param, name, position, id);
 		case ParamKind::Word:
-			if (!word_argument(param, expr)) {
+			if (!word_argument(param, expr) && !selector_argument(expr, OpCode::FindWord, param.words)) {
 				complain("unknown-word", expr.offset, "argument " + std::to_string(position + 1) + " of `" + std::string(name) + "` is one of: " +
 								std::string(param.words));
 				emit_constant(Value::of_index(ValueType::Word, 0), expr.offset);
 			}
 			return false;
 		case ParamKind::WordOrNumber:
-			return !word_argument(param, expr) && size_expression(id) != ValueType::Number;
+			return !word_argument(param, expr) && !selector_argument(expr, OpCode::FindWord, param.words) && size_expression(id) != ValueType::Number;
 		case ParamKind::Predicate:
 			emit_constant(Value::of_index(ValueType::Chunk, uint32_t(value_chunk(id, false))), expr.offset);
 			return false;
@@ -159,6 +160,7 @@ bool Compiler::argument(const ParamSpec &param, std::string_view name, size_t po
 bool Compiler::value_argument(const ParamSpec &param, std::string_view name, size_t position, uint32_t id) {
 	const Known known = param.kind == ParamKind::Size ? size_expression(id) : expression(id);
 	const ValueType wanted = param.kind == ParamKind::Bool ? ValueType::Bool
+			: param.kind == ParamKind::Array			   ? ValueType::Array
 			: param.kind == ParamKind::Text				   ? ValueType::Text
 														   : ValueType::Number;
 	if (known != ValueType::Void && known != wanted) {
@@ -200,10 +202,25 @@ void Compiler::rule_argument(const Expr &expr) {
 	emit_constant(Value::of_index(ValueType::Rule, rule), expr.offset);
 }
 
+// sel("name"): a name or word that is made while running.
+bool Compiler::selector_argument(const Expr &expr, OpCode code, std::string_view words) {
+	if (expr.kind != ExprKind::Call || expr.name != "sel" || expr.children.count != 1) {
+		return false;
+	}
+	expression(_scope.ast->list(expr.children)[0]);
+	emit(code, expr.offset, 0, symbol(words));
+	return true;
+}
+
 void Compiler::target_argument(const Expr &expr) {
+	if (selector_argument(expr, OpCode::FindTarget, _set.spaces[_scope.space].prefix)) {
+		return;
+	}
 	if (expr.kind == ExprKind::Name) {
 		const uint32_t found = _set.find_value(_scope.space, expr.name, 0);
-		if (found != no_node && _definitions[found].kind == Definition::Kind::Attribute) {
+		const bool is_attribute = found != no_node && _definitions[found].kind == Definition::Kind::Attribute;
+		const bool is_constant = is_attribute && _definitions[found].item->kind == AstItem::Kind::Constant;
+		if (is_attribute && !is_constant) {
 			emit_constant(Value::of_index(ValueType::Attribute, _definitions[found].index), expr.offset);
 			return;
 		}
@@ -213,9 +230,9 @@ void Compiler::target_argument(const Expr &expr) {
 			return;
 		}
 		complain("unknown-name", expr.offset,
-				variable >= 0 ? "`" + std::string(expr.name) + "` can only be read"
+				variable >= 0 || is_constant ? "`" + std::string(expr.name) + "` can only be read"
 							  : "there is no attribute `" + std::string(expr.name) + "` to set",
-				did_you_mean(expr.name, false));
+				is_constant ? "declare it with attr" : did_you_mean(expr.name, false));
 	} else {
 		complain("not-a-name", expr.offset, "the name of an attribute belongs here");
 	}
@@ -227,11 +244,10 @@ void Compiler::target_argument(const Expr &expr) {
 Compiler::Known Compiler::call(const Expr &expr) {
 	const uint32_t found = _set.find_value(_scope.space, expr.name, expr.children.count);
 	if (found != no_node && _definitions[found].kind == Definition::Kind::Function) {
-		for (uint32_t argument_id : _scope.ast->list(expr.children)) {
-			expression(argument_id);
-		}
-		emit(OpCode::CallUser, expr.offset, 1 - int(expr.children.count), _definitions[found].index, 0, expr.children.count);
-		return ValueType::Void;
+		return user_call(expr, found);
+	}
+	if (expr.children.count == 0 && (found != no_node || _dialect.find_variable(expr.name) >= 0)) {
+		return global_name(expr, true); // height() of an attribute, scope.sx()
 	}
 	const int function = choose_function(expr.name, expr.children);
 	if (function >= 0) {
@@ -245,6 +261,14 @@ Compiler::Known Compiler::call(const Expr &expr) {
 		unknown("function", expr.name, expr.offset, false);
 	}
 	return unknown_value(expr.offset);
+}
+
+Compiler::Known Compiler::user_call(const Expr &expr, uint32_t definition) {
+	for (uint32_t argument_id : _scope.ast->list(expr.children)) {
+		expression(argument_id);
+	}
+	emit(OpCode::CallUser, expr.offset, 1 - int(expr.children.count), _definitions[definition].index, 0, expr.children.count);
+	return ValueType::Void;
 }
 
 Compiler::Known Compiler::call_builtin(uint32_t function, std::string_view name, NodeRange list, uint32_t offset) {

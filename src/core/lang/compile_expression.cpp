@@ -29,6 +29,10 @@ OpCode binary_opcode(TokenKind op) {
 			return OpCode::LessEqual;
 		case TokenKind::Greater:
 			return OpCode::Greater;
+		case TokenKind::And:
+			return OpCode::And;
+		case TokenKind::Or:
+			return OpCode::Or;
 		default:
 			return OpCode::GreaterEqual;
 	}
@@ -130,17 +134,12 @@ Compiler::Known Compiler::expression(uint32_t id) {
 		case ExprKind::Index:
 			return index(expr);
 		case ExprKind::Element:
+			return range(expr);
 		case ExprKind::Components:
+			return components(expr);
 		case ExprKind::ImportCall:
-			return unsupported_expression(expr);
+			return import_call(expr);
 	}
-	return unknown_value(expr.offset);
-}
-
-Compiler::Known Compiler::unsupported_expression(const Expr &expr) {
-	not_supported(expr.offset, expr.kind == ExprKind::Element ? "ranges a:b"
-					: expr.kind == ExprKind::Components		  ? "comp() as a function"
-															  : "calls of an import with attributes of their own");
 	return unknown_value(expr.offset);
 }
 
@@ -197,9 +196,7 @@ Compiler::Known Compiler::binary_chain(uint32_t id) {
 	while (!chain.empty()) {
 		const Expr &expr = _scope.ast->exprs[chain.back()];
 		chain.pop_back();
-		if (expr.is_elementwise) {
-			not_supported(expr.offset, "operators that work element by element");
-		} else if (expr.op == TokenKind::And || expr.op == TokenKind::Or) {
+		if (!expr.is_elementwise && (expr.op == TokenKind::And || expr.op == TokenKind::Or)) {
 			known = logical(expr);
 		} else {
 			known = binary(expr, known, begin, depth);
@@ -212,9 +209,10 @@ Compiler::Known Compiler::binary_chain(uint32_t id) {
 Compiler::Known Compiler::binary(const Expr &expr, Known left, uint32_t begin, uint32_t depth) {
 	const Known right = expression(_scope.ast->list(expr.children)[1]);
 	if (!fold_binary(expr.op, begin, depth, expr.offset)) {
-		emit(binary_opcode(expr.op), expr.offset, -1);
+		emit(binary_opcode(expr.op), expr.offset, -1, 0, expr.is_elementwise ? 1 : 0);
 	}
-	return binary_result(expr.op, left, right);
+	// With a dot it is an array as soon as one side is.
+	return expr.is_elementwise && (left != ValueType::Number || right != ValueType::Number) ? ValueType::Void : binary_result(expr.op, left, right);
 }
 
 Compiler::Known Compiler::logical(const Expr &expr) {
@@ -245,6 +243,9 @@ Compiler::Known Compiler::unary(const Expr &expr) {
 	}
 	if (!fold_unary(expr.op, begin, depth, expr.offset)) {
 		emit(expr.op == TokenKind::Not ? OpCode::Not : OpCode::Negate, expr.offset, 0);
+	}
+	if (expr.is_elementwise) {
+		return ValueType::Void;
 	}
 	return expr.op == TokenKind::Not ? ValueType::Bool : ValueType::Number;
 }
@@ -306,42 +307,6 @@ Compiler::Known Compiler::chance_expression(const Expr &expr) {
 	}
 	warn_shares(shares);
 	return known == last ? known : ValueType::Void;
-}
-
-// --- Arrays
-
-Compiler::Known Compiler::array_elements(const Expr &row, uint32_t &count) {
-	for (uint32_t element : _scope.ast->list(row.children)) {
-		expression(element);
-		++count;
-	}
-	return ValueType::Array;
-}
-
-Compiler::Known Compiler::array(const Expr &expr) {
-	const auto rows = _scope.ast->list(expr.children);
-	uint32_t count = 0;
-	const uint32_t columns = rows.empty() ? 0 : _scope.ast->exprs[rows[0]].children.count;
-	for (uint32_t row : rows) {
-		if (_scope.ast->exprs[row].children.count != columns) {
-			complain("array-shape", _scope.ast->exprs[row].offset, "the rows of an array have equal lengths");
-		}
-		array_elements(_scope.ast->exprs[row], count);
-	}
-	emit(OpCode::MakeArray, expr.offset, 1 - int(count), count, columns <= 0xFFFF ? columns : 0);
-	return ValueType::Array;
-}
-
-Compiler::Known Compiler::index(const Expr &expr) {
-	const auto parts = _scope.ast->list(expr.children);
-	for (uint32_t part : parts) {
-		expression(part);
-	}
-	if (parts.size() > 3) {
-		complain("array-shape", expr.offset, "an array has rows and columns: at most two indices");
-	}
-	emit(OpCode::Index, expr.offset, 1 - int(parts.size()), 0, 0, std::min<size_t>(parts.size() - 1, 2));
-	return ValueType::Void;
 }
 
 } // namespace pcg

@@ -22,6 +22,13 @@ std::shared_ptr<const Program> Compiler::run() {
 	// Where the outermost rule returns to.
 	_program->code.push_back({ OpCode::End, 0, 0, 0 });
 	_program->places.push_back({});
+	for (size_t i = 0; !_set.files.empty() && i < _set.files[0]->ast.styles.size(); ++i) {
+		const std::string name(_set.files[0]->ast.styles[i].name);
+		const bool is_new = name != "Default" && std::find(_program->styles.begin(), _program->styles.end(), name) == _program->styles.end();
+		if (is_new) {
+			_program->styles.push_back(name);
+		}
+	}
 	declare();
 	compile_definitions();
 	finish();

@@ -84,9 +84,6 @@ private:
 	void complain(std::string_view id, uint32_t offset, std::string message, std::string hint = {}) {
 		report(is_strict() ? Severity::Error : Severity::Warning, id, offset, std::move(message), std::move(hint));
 	}
-	void not_supported(uint32_t offset, std::string_view what) {
-		complain("not-supported", offset, "not supported yet: " + std::string(what));
-	}
 	bool is_strict() const { return _dialect.unknown_names == Dialect::UnknownNames::Error; }
 	// Says that `name` is unknown, unless that follows from something told before.
 	void unknown(std::string_view what, std::string_view name, uint32_t offset, bool wants_command);
@@ -95,7 +92,6 @@ private:
 
 	// compile_expression.cpp
 	Known expression(uint32_t expr);
-	Known unsupported_expression(const Expr &expr);
 	Known unknown_value(uint32_t offset); // a harmless value in place of what was diagnosed
 	Known binary_chain(uint32_t expr);
 	Known binary(const Expr &expr, Known left, uint32_t begin, uint32_t depth);
@@ -104,9 +100,13 @@ private:
 	Known case_expression(const Expr &expr);
 	Known chance_expression(const Expr &expr);
 	Known array(const Expr &expr);
-	Known array_elements(const Expr &row, uint32_t &count);
+	void array_row(const Expr &row);
+	Known range(const Expr &expr);
 	Known index(const Expr &expr);
+	Known components(const Expr &expr);
 	Known call(const Expr &expr);
+	Known user_call(const Expr &expr, uint32_t definition);
+	Known import_call(const Expr &expr);
 	Known call_builtin(uint32_t function, std::string_view name, NodeRange arguments, uint32_t offset);
 	Known size_expression(uint32_t expr); // with ' or ~ allowed
 	bool fold_unary(TokenKind op, uint32_t begin, uint32_t depth, uint32_t offset);
@@ -128,6 +128,8 @@ private:
 	bool word_argument(const ParamSpec &param, const Expr &expr);
 	void rule_argument(const Expr &expr);
 	void target_argument(const Expr &expr);
+	bool selector_argument(const Expr &expr, OpCode code, std::string_view words); // sel("..")
+	uint32_t begin_import(uint32_t import_call, uint32_t offset); // gives the space of the import, no_node if there is none
 	int choose_function(std::string_view name, NodeRange list) const;
 	int choose_operation(std::string_view name, NodeRange list) const;
 	template <typename Spec> int choose(const std::vector<Spec> &specs, std::string_view name, NodeRange list) const;
@@ -149,6 +151,11 @@ private:
 	void chance_command(const Command &command);
 	uint32_t block(uint32_t block, BlockKind kind);
 	BlockEntry block_entry(const AstEntry &entry, BlockKind kind);
+	BlockEntry entry_with_head(const AstEntry &entry, BlockKind kind);
+	Chunk missing_size(const AstEntry &entry);
+	bool is_older_than(double version) const; // the file that is being compiled
+	void inline_command(const Command &command);
+	void import_command(const Command &command);
 	Chunk body_chunk(uint32_t body, uint32_t offset);
 	void rule_arguments(NodeRange list);
 
@@ -169,6 +176,7 @@ private:
 	std::unordered_map<std::string, uint32_t> _symbols;
 	std::unordered_map<std::string_view, uint32_t> _slots;
 	std::unordered_map<std::string, uint32_t> _leaves; // "Wall/2" to rule
+	bool _has_value_blocks = false; // the block that is being compiled is a function's
 
 	// Who calls what, for warnings: edges from rule to rule, by how the called one runs.
 	struct Edge {

@@ -28,6 +28,7 @@ enum class ParamKind : uint8_t {
 	WordOrNumber,
 	Predicate, // arrives unevaluated as a Chunk (paper, "Generation of the agendas")
 	Rule, // the name of a rule; arrives as its RuleId
+	Array, // of numbers, truth values or texts
 	Target, // a name that the operation writes to: arrives as ValueType::Attribute or, of a writable variable, ValueType::Variable
 };
 
@@ -65,6 +66,7 @@ struct FunctionSpec {
 	std::string_view help; // one or two sentences: meaning, units, errors
 	bool is_pure = false; // same arguments, same value, no host: folded at compile time
 	const void *user = nullptr;
+	bool has_block = false; // name(..) { selector : value | .. }: entries whose bodies are values
 };
 
 enum class BlockKind : uint8_t {

@@ -25,6 +25,8 @@ enum class OpCode : uint8_t {
 	GreaterEqual,
 	Negate,
 	Not,
+	And, // without a short cut: element by element
+	Or,
 	Jump, // operand: jump
 	JumpIfFalse, // pops
 	AndJump, // keeps a false value and jumps, else pops
@@ -37,6 +39,7 @@ enum class OpCode : uint8_t {
 	CallFunction, // extra: function of the dialect, count: arguments, operand: bit k = argument k is checked
 	CallOperation, // the same of operations
 	CallBlock, // as CallOperation; operand: block; two Data follow: mask, second block + 1
+	CallFunctionBlock, // as CallBlock, of functions
 	Data,
 	CallUser, // operand: callable
 	CallRule, // operand: rule
@@ -44,8 +47,14 @@ enum class OpCode : uint8_t {
 	SetSlot, // operand: slot
 	PushGroup,
 	PopGroup,
-	MakeArray, // operand: values, extra: columns
+	MakeRow, // operand: values and arrays, side by side
+	StackRows, // operand: arrays, one above the other
+	MakeRange, // count: 2 or 3 numbers, a:b or a:step:b
 	Index, // count: 1 or 2 indices
+	BeginImport, // operand: import scope, count: values of its overridden attributes
+	EndImport,
+	FindTarget, // pops a text: the attribute or variable of that name; operand: text in front of names
+	FindWord, // pops a text: its place among the words; operand: text with the words
 	Return, // of a chunk with a value, which is on top
 	End, // of a chunk without one
 };

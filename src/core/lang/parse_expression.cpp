@@ -222,9 +222,9 @@ uint32_t Parser::parse_postfix() {
 		index.kind = ExprKind::Index;
 		const Inside inside(*this, _at);
 		index.offset = take().offset;
-		std::vector<uint32_t> children = { value, parse_expression() };
+		std::vector<uint32_t> children = { value, parse_array_element() };
 		while (accept(TokenKind::Comma)) {
-			children.push_back(parse_expression());
+			children.push_back(parse_array_element());
 		}
 		expect(TokenKind::CloseBracket, "after the index");
 		index.children = add_children(children);

@@ -146,9 +146,11 @@ bool Parser::starts_item() const {
 	}
 	const std::string_view word = text(peek());
 	const bool names_follow = is(TokenKind::Name, 1) && !is_keyword(text(peek(1)));
-	if (names_follow && (word == "attr" || word == "const" || word == "import" || word == "style" || word == "start" ||
-								word == "extension")) {
+	if (names_follow && (word == "attr" || word == "const" || word == "import" || word == "style")) {
 		return true;
+	}
+	if (names_follow && (word == "start" || word == "extension")) { // old files have rules of these names
+		return starts_definition(_at + 1);
 	}
 	if (is(TokenKind::String, 1) && (word == "version" || word == "import")) {
 		return true;

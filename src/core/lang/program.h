@@ -77,7 +77,8 @@ struct BlockEntry {
 	// and a head too if the rule set defines that name: the dialect's own selectors come first. A split entry without a size has neither.
 	Chunk head = Chunk::None;
 	uint32_t word = no_symbol; // index in Program::texts
-	Chunk body = Chunk::None;
+	Chunk depth = Chunk::None; // size : depth : body
+	Chunk body = Chunk::None; // of functions an expression
 	uint32_t block = 0; // of Repeat and Group: index in Program::blocks
 	SourcePlace place;
 };
@@ -86,6 +87,12 @@ struct Block {
 	uint32_t first_entry = 0;
 	uint32_t entry_count = 0;
 	bool is_repeated = false; // the `*` behind the block
+};
+
+// The attributes that a call such as imp(a = 1).Rule gives anew, and which of them get the values that are written there.
+struct ImportScope {
+	std::vector<uint32_t> attributes;
+	std::vector<uint32_t> overridden;
 };
 
 struct Program {
@@ -101,6 +108,8 @@ struct Program {
 	std::vector<AttributeInfo> attributes;
 	std::vector<Block> blocks;
 	std::vector<BlockEntry> entries;
+	std::vector<ImportScope> import_scopes;
+	std::vector<std::string> styles; // of the main file, in its order, without Default
 	uint32_t slot_count = 0; // dynamic locals
 	std::vector<std::string> slot_names;
 	uint32_t max_stack = 0; // values that any one chunk needs at most

@@ -3,13 +3,13 @@
 #include <algorithm>
 
 #include "core/lang/parser.h"
+#include "core/lang/styles.h"
 
 namespace pcg {
 
 namespace {
 
-// Imports of imports of imports, each twice, would be billions.
-constexpr size_t max_modules = 2000;
+constexpr size_t max_modules = 2000; // imports of imports of imports, each twice, would be billions
 
 uint32_t find_overload(const RuleSet &set, const std::vector<uint32_t> *list, size_t param_count) {
 	if (list != nullptr) {
@@ -32,22 +32,24 @@ public:
 	Loader(const Dialect &dialect, SourceProvider &provider, Diagnostics &diagnostics)
 			: _dialect(dialect), _provider(provider), _diagnostics(diagnostics) {}
 
-	RuleSet run(const std::string &path);
+	RuleSet run(const std::string &path, std::string_view style);
 
 private:
 	uint32_t read(const std::string &path, const ParsedFile *importer, const AstImport *import);
 	void report_missing(const std::string &path, const Diagnostic &why, const ParsedFile *importer, const AstImport *import);
 	bool is_cycle(const std::string &path, const ParsedFile &importer, const AstImport &import);
-	void load_module(uint32_t file, uint32_t space, uint32_t depth);
+	void load_module(uint32_t file, uint32_t space, uint32_t depth, const std::string &style);
 	void load_import(uint32_t module, const AstImport &import);
 	uint32_t open_space(const Module &importer, const AstImport &import);
 	void define_items(uint32_t module);
 	void define_overrides(uint32_t module, const AstImport &import, uint32_t space);
 	void inherit_attributes(uint32_t module, const AstImport &import, uint32_t space);
 	void define(Definition definition, uint32_t space, std::string_view name);
+	bool wins(const Definition &definition, const Definition &older, uint32_t space, std::string_view name);
+	void note_start(uint32_t space, uint32_t definition);
 	void report_duplicate(const Definition &definition, const Definition &older, std::string_view name);
-	void report_styles(const ParsedFile &file);
-	bool is_default_style(const Ast &ast, const AstItem &item) const;
+	std::string style_of(const Module &importer, const AstImport &import, uint32_t imported);
+	void define_for_imports(uint32_t module);
 
 	const Dialect &_dialect;
 	SourceProvider &_provider;
@@ -88,23 +90,8 @@ uint32_t Loader::read(const std::string &path, const ParsedFile *importer, const
 	file->path = path;
 	file->source = std::make_shared<const Source>(path, std::move(*bytes));
 	file->ast = parse(*file->source, _dialect.has_time_units, _diagnostics);
-	report_styles(*file);
 	_set.files.push_back(std::move(file));
 	return _files[path] = uint32_t(_set.files.size() - 1);
-}
-
-bool Loader::is_default_style(const Ast &ast, const AstItem &item) const {
-	return item.style == no_node || ast.styles[item.style].name == "Default";
-}
-
-void Loader::report_styles(const ParsedFile &file) {
-	for (const AstStyle &style : file.ast.styles) {
-		if (style.name != "Default") {
-			_diagnostics.add(file.source->diagnostic(Severity::Warning, "not-supported", style.offset,
-					"not supported yet: styles; what follows `style " + std::string(style.name) + "` is left out"));
-			return;
-		}
-	}
 }
 
 bool Loader::is_cycle(const std::string &path, const ParsedFile &importer, const AstImport &import) {
@@ -122,9 +109,9 @@ bool Loader::is_cycle(const std::string &path, const ParsedFile &importer, const
 	return true;
 }
 
-void Loader::load_module(uint32_t file, uint32_t space, uint32_t depth) {
+void Loader::load_module(uint32_t file, uint32_t space, uint32_t depth, const std::string &style) {
 	const uint32_t module = uint32_t(_set.modules.size());
-	_set.modules.push_back({ file, space, depth });
+	_set.modules.push_back({ file, space, depth, style });
 	_stack.push_back(_set.files[file]->path);
 	_set.spaces[space].is_missing |= _set.files[file]->ast.is_abandoned;
 	define_items(module);
@@ -132,21 +119,47 @@ void Loader::load_module(uint32_t file, uint32_t space, uint32_t depth) {
 		load_import(module, import);
 	}
 	_stack.pop_back();
-	// Rules that this file defines for an import: b.Mass --> ..
-	const Ast &ast = _set.files[file]->ast;
-	for (const AstItem &item : ast.items) {
+	define_for_imports(module);
+}
+
+// Rules that this file defines for an import: b.Mass --> ..
+void Loader::define_for_imports(uint32_t module) {
+	const ParsedFile &file = *_set.files[_set.modules[module].file];
+	for (const AstItem &item : file.ast.items) {
 		std::string_view name = item.name;
-		if (name.find('.') != std::string_view::npos && is_default_style(ast, item)) {
-			const uint32_t target = _set.enter_space(space, name);
-			if (target == no_node) {
-				_diagnostics.add(_set.files[file]->source->diagnostic(Severity::Error, "unknown-import", item.offset,
-						"`" + std::string(item.name) + "` belongs to an import that does not exist"));
-				continue;
-			}
-			const auto kind = item.kind == AstItem::Kind::Rule ? Definition::Kind::Rule : Definition::Kind::Function;
-			define({ kind, module, &item, nullptr, {}, item.offset, uint32_t(item.params.size()) }, target, name);
+		const bool is_default = item.style == no_node || file.ast.styles[item.style].name == "Default";
+		if (name.find('.') == std::string_view::npos || !is_default) {
+			continue;
+		}
+		const uint32_t target = _set.enter_space(_set.modules[module].space, name);
+		if (target == no_node) {
+			const bool is_error = _dialect.unknown_names == Dialect::UnknownNames::Error;
+			_diagnostics.add(file.source->diagnostic(is_error ? Severity::Error : Severity::Warning, "unknown-import", item.offset,
+					"`" + std::string(item.name) + "` belongs to an import that does not exist"));
+			continue;
+		}
+		const auto kind = item.kind == AstItem::Kind::Rule ? Definition::Kind::Rule : Definition::Kind::Function;
+		define({ kind, module, &item, nullptr, {}, item.offset, uint32_t(item.params.size()) }, target, name);
+	}
+}
+
+// import id (S) : a list limits what the host may choose. There is one choice for the main file: where the list names it too, that is taken,
+// else the first.
+std::string Loader::style_of(const Module &importer, const AstImport &import, uint32_t imported) {
+	if (import.styles.empty()) {
+		return {};
+	}
+	const std::vector<AstStyle> &styles = _set.files[imported]->ast.styles;
+	std::string chosen;
+	for (const std::string_view style : import.styles) {
+		if (!has_style(styles, style)) {
+			_diagnostics.add(_set.files[importer.file]->source->diagnostic(Severity::Warning, "unknown-style", import.offset,
+					"`" + import.path + "` has no style `" + std::string(style) + "`", style_names(styles)));
+		} else if (chosen.empty() || style == importer.style) {
+			chosen = style;
 		}
 	}
+	return chosen;
 }
 
 void Loader::load_import(uint32_t module, const AstImport &import) {
@@ -174,7 +187,7 @@ void Loader::load_import(uint32_t module, const AstImport &import) {
 	const bool is_loaded = std::any_of(_set.modules.begin(), _set.modules.end(),
 			[&](const Module &other) { return other.file == imported && other.space == space; });
 	if (!is_loaded) { // A file that two others import into one space is there once.
-		load_module(imported, space, import.id.empty() ? importer.depth + 1 : 0);
+		load_module(imported, space, import.id.empty() ? importer.depth + 1 : 0, style_of(importer, import, imported));
 	}
 	define_overrides(module, import, space);
 	if (!import.id.empty() && _dialect.locals == Dialect::Locals::Lexical) {
@@ -199,11 +212,16 @@ uint32_t Loader::open_space(const Module &importer, const AstImport &import) {
 void Loader::define_items(uint32_t module) {
 	const Module here = _set.modules[module];
 	const Ast &ast = _set.files[here.file]->ast;
+	const std::vector<std::string_view> chain = style_chain(*_set.files[here.file], here.style, _diagnostics);
 	for (const AstItem &item : ast.items) {
-		if (!is_default_style(ast, item) || item.name.find('.') != std::string_view::npos) {
+		const std::string_view style = item.style == no_node ? std::string_view("Default") : ast.styles[item.style].name;
+		const auto level = std::find(chain.begin(), chain.end(), style);
+		if (level == chain.end() || item.name.find('.') != std::string_view::npos) {
 			continue;
 		}
 		Definition definition = { Definition::Kind::Rule, module, &item, nullptr, {}, item.offset, uint32_t(item.params.size()) };
+		definition.style_level = uint32_t(level - chain.begin());
+		definition.is_default_style = style == "Default";
 		if (item.kind != AstItem::Kind::Rule) {
 			const bool is_plain_function = item.kind == AstItem::Kind::Plain && _dialect.locals == Dialect::Locals::Lexical;
 			definition.kind = item.has_params || is_plain_function ? Definition::Kind::Function : Definition::Kind::Attribute;
@@ -231,18 +249,43 @@ void Loader::define(Definition definition, uint32_t space_index, std::string_vie
 		if (!is_same && !both_values) {
 			continue;
 		}
-		const uint32_t old_depth = _set.modules[older.module].depth, new_depth = _set.modules[definition.module].depth;
-		const bool is_from_importer = _set.modules[definition.module].space != space_index;
-		if (older.module == definition.module || (old_depth == new_depth && !is_from_importer)) {
-			report_duplicate(definition, older, name);
-		} else if (is_from_importer || new_depth < old_depth) {
+		if (wins(definition, older, space_index, name)) {
 			_set.definitions.push_back(std::move(definition));
 			known = uint32_t(_set.definitions.size() - 1);
+			note_start(space_index, known);
 		}
 		return;
 	}
 	_set.definitions.push_back(std::move(definition));
 	list.push_back(uint32_t(_set.definitions.size() - 1));
+	note_start(space_index, list.back());
+}
+
+// Of two definitions of one name: files that import win, then the style that is nearer to the chosen one; the rest are mistakes.
+bool Loader::wins(const Definition &definition, const Definition &older, uint32_t space_index, std::string_view name) {
+	const uint32_t old_depth = _set.modules[older.module].depth, new_depth = _set.modules[definition.module].depth;
+	const bool is_from_importer = _set.modules[definition.module].space != space_index;
+	if (older.module == definition.module && older.style_level != definition.style_level) {
+		return definition.style_level < older.style_level;
+	}
+	if (older.module == definition.module || (old_depth == new_depth && !is_from_importer)) {
+		report_duplicate(definition, older, name);
+		return false;
+	}
+	return is_from_importer ? older.is_default_style : new_depth < old_depth;
+}
+
+// `start R --> ..` is also called by the name `start`.
+void Loader::note_start(uint32_t space, uint32_t definition) {
+	const Definition &marked = _set.definitions[definition];
+	if (marked.kind != Definition::Kind::Rule || !marked.item->is_start) {
+		return;
+	}
+	const uint32_t older = _set.spaces[space].start;
+	if (older == no_node || _set.modules[marked.module].depth < _set.modules[_set.definitions[older].module].depth ||
+			_set.definitions[older].name == marked.name) {
+		_set.spaces[space].start = definition;
+	}
 }
 
 // import b : "file" (a = 3, Mass --> Box)
@@ -260,6 +303,9 @@ void Loader::define_overrides(uint32_t module, const AstImport &import, uint32_t
 					"`" + import.path + "` has no " + (is_rule ? "rule `" : "attribute `") + std::string(item.name) + "`"));
 			continue;
 		}
+		if (!_set.definitions[target].is_default_style) {
+			continue;
+		}
 		_set.definitions[target].module = module;
 		_set.definitions[target].offset = item.offset;
 		_set.definitions[target].override_item = &item;
@@ -273,7 +319,7 @@ void Loader::inherit_attributes(uint32_t module, const AstImport &import, uint32
 	}
 	for (uint32_t i = 0; i < _set.definitions.size(); ++i) {
 		Definition &imported = _set.definitions[i];
-		if (imported.kind != Definition::Kind::Attribute || imported.override_item != nullptr || imported.inherits != no_node ||
+		if (imported.kind != Definition::Kind::Attribute || imported.override_item != nullptr || imported.inherits != no_node || !imported.is_default_style ||
 				imported.item->kind != AstItem::Kind::Attribute || _set.modules[imported.module].space != space) {
 			continue;
 		}
@@ -286,11 +332,12 @@ void Loader::inherit_attributes(uint32_t module, const AstImport &import, uint32
 	}
 }
 
-RuleSet Loader::run(const std::string &path) {
+RuleSet Loader::run(const std::string &path, std::string_view style) {
 	_set.spaces.emplace_back();
 	const uint32_t file = read(resolve_import({}, path), nullptr, nullptr);
 	if (file != no_node) {
-		load_module(file, 0, 0);
+		require_style(*_set.files[file], style, _diagnostics);
+		load_module(file, 0, 0, std::string(style));
 	}
 	return std::move(_set);
 }
@@ -321,7 +368,13 @@ bool RuleSet::is_excused(uint32_t space, std::string_view name) const {
 
 uint32_t RuleSet::find_rule(uint32_t space, std::string_view name, size_t param_count) const {
 	space = enter_space(space, name);
-	return space == no_node ? no_node : find_overload(*this, find_list(spaces[space].rules, name), param_count);
+	if (space == no_node) {
+		return no_node;
+	}
+	const uint32_t found = find_overload(*this, find_list(spaces[space].rules, name), param_count);
+	const uint32_t start = spaces[space].start;
+	const bool is_start = found == no_node && name == "start" && start != no_node && definitions[start].param_count == param_count;
+	return is_start ? start : found;
 }
 
 uint32_t RuleSet::find_value(uint32_t space, std::string_view name, size_t param_count) const {
@@ -339,8 +392,9 @@ bool RuleSet::has_value(uint32_t space, std::string_view name) const {
 	return space != no_node && find_list(spaces[space].values, name) != nullptr;
 }
 
-RuleSet load_rule_set(const std::string &path, const Dialect &dialect, SourceProvider &provider, Diagnostics &diagnostics) {
-	return Loader(dialect, provider, diagnostics).run(path);
+RuleSet load_rule_set(const std::string &path, const Dialect &dialect, SourceProvider &provider, Diagnostics &diagnostics,
+		std::string_view style) {
+	return Loader(dialect, provider, diagnostics).run(path, style);
 }
 
 } // namespace pcg

@@ -25,6 +25,7 @@ struct Module {
 	uint32_t file = 0; // in RuleSet::files
 	uint32_t space = 0;
 	uint32_t depth = 0; // imports without an id between this and the file that opened the space; the smallest wins
+	std::string style; // empty: Default
 };
 
 struct Definition {
@@ -36,6 +37,8 @@ struct Definition {
 	uint32_t offset = 0;
 	uint32_t param_count = 0;
 	uint32_t index = 0; // RuleId, attribute or function; given by the compiler
+	uint32_t style_level = 0; // how far its style is from the chosen one: 0 that one, 1 what it extends ..
+	bool is_default_style = true; // importing files may override it
 	uint32_t inherits = no_node; // attribute whose value this one takes (definition of the importing file)
 };
 
@@ -43,6 +46,7 @@ struct Definition {
 struct Space {
 	std::string prefix; // "", "day.", "day.walk."
 	uint32_t parent = no_node;
+	uint32_t start = no_node; // definition of the rule marked `start`
 	bool is_missing = false; // a file of it could not be had: its names are unknown for a reason that was told
 	std::map<std::string_view, uint32_t> imports; // id to space
 	std::unordered_map<std::string_view, std::vector<uint32_t>> rules; // name to definitions, one for each number of parameters
@@ -69,7 +73,8 @@ struct RuleSet {
 	}
 };
 
-// Reads and parses everything. With errors the result may be incomplete; it is always safe to compile for more diagnostics.
-RuleSet load_rule_set(const std::string &path, const Dialect &dialect, SourceProvider &provider, Diagnostics &diagnostics);
+// Reads and parses everything. `style` is what the main file's rules and attributes are taken from (CGA reference: style); empty: Default. With errors the result may be incomplete; it is always safe to compile for more diagnostics.
+RuleSet load_rule_set(const std::string &path, const Dialect &dialect, SourceProvider &provider, Diagnostics &diagnostics,
+		std::string_view style = {});
 
 } // namespace pcg

@@ -30,7 +30,13 @@ struct ArrayData {
 	const Value *values = nullptr;
 	uint32_t rows = 1;
 	uint32_t columns = 0;
+	ValueType element = ValueType::Number; // or Bool, or Text: what lies outside of the array is 0, false or ""
+
+	uint32_t size() const { return rows * columns; }
 };
+
+// More elements than any rule set needs; longer arrays are refused. CGA reference: func_array.
+constexpr uint32_t max_array_size = 100'000;
 
 struct Value {
 	ValueType type = ValueType::Void;
@@ -64,6 +70,12 @@ struct Value {
 		value.text = text_value;
 		return value;
 	}
+	static Value of(const ArrayData *array_value) {
+		Value value;
+		value.type = ValueType::Array;
+		value.array = array_value;
+		return value;
+	}
 	// For the types whose payload is a whole number: Word, Rule, Chunk, Attribute, Variable.
 	static Value of_index(ValueType index_type, uint32_t index_value) {
 		Value value;
@@ -75,12 +87,13 @@ struct Value {
 	bool is_number() const { return type == ValueType::Number; }
 	bool is_bool() const { return type == ValueType::Bool; }
 	bool is_text() const { return type == ValueType::Text; }
+	bool is_array() const { return type == ValueType::Array; }
 };
 static_assert(sizeof(Value) == 16);
 
 // "number", "true or false", "text" ..: for messages.
 std::string_view type_name(ValueType type);
-// As `+` with text writes it: 1, 0.3, true, [1,2].
+// As `+` with text writes it: 1, 0.3, true, (2)[1,2]; arrays of several rows one row a line (CGA reference: func_array).
 std::string value_text(const Value &value);
 
 } // namespace pcg

@@ -7,15 +7,6 @@
 
 namespace pcg {
 
-namespace {
-
-// Stands in an attribute's place while it is being evaluated.
-const Value in_evaluation = Value::of_index(ValueType::Chunk, no_symbol);
-
-bool is_in_evaluation(const Value &value) { return value.type == ValueType::Chunk; }
-
-} // namespace
-
 Vm::Vm(const Program &program, VmHost &host, VmLimits limits) : _program(&program), _host(&host), _limits(limits) {
 	_limits.max_stack = std::max(_limits.max_stack, program.max_stack + 16);
 	_memory.reset(new std::byte[size_t(_limits.max_stack) * sizeof(Value)]);
@@ -37,11 +28,14 @@ void Vm::begin(uint64_t seed) {
 	_native_depth = 0;
 	_call_depth = 0;
 	_steps = 0;
+	_silent_steps = 0;
 	_top = _stack;
 	_base = 0;
 	_address = 0;
 	_frames.clear();
 	_trail.clear();
+	_outer_attributes.clear();
+	_import_attributes.clear();
 	_slots.assign(_program->slot_count, Value());
 	_own_attributes.assign(_overrides.begin(), _overrides.end());
 	_attributes = _own_attributes.data();
@@ -88,8 +82,17 @@ bool Vm::count_step() {
 	return false;
 }
 
+bool Vm::is_strict() const { return _program->dialect != nullptr && _program->dialect->unknown_names == Dialect::UnknownNames::Error; }
+
 bool Vm::enter(uint32_t index, uint32_t count, uint32_t return_address, VmFrame::Kind kind) {
 	if (!count_step()) {
+		return false;
+	}
+	if (kind == VmFrame::Kind::Rule) {
+		_silent_steps = 0;
+	} else if (++_silent_steps > _limits.max_silent_steps) {
+		fail("step-limit", "functions called each other " + std::to_string(_limits.max_silent_steps) + " times for one value",
+				"a function that calls itself twice needs twice the time for each level: keep what it gives in a `with` value");
 		return false;
 	}
 	if (_call_depth >= _limits.max_depth) {
@@ -131,6 +134,11 @@ void Vm::pop_frame() {
 			break;
 		case VmFrame::Kind::Group:
 			_host->pop_group(*this);
+			break;
+		case VmFrame::Kind::Import:
+			_host->pop_group(*this);
+			_attributes = _outer_attributes.back();
+			_outer_attributes.pop_back();
 			break;
 		case VmFrame::Kind::Native:
 			--_native_depth;
@@ -244,86 +252,6 @@ Flow Vm::run_body(Chunk chunk) {
 	return stop == Stop::Returned && !_failed ? Flow::Next : Flow::Stop;
 }
 
-// --- Attributes
-
-bool Vm::override_attribute(std::string_view name, Value value) {
-	const int index = _program->find_attribute(name);
-	if (index < 0) {
-		return false;
-	}
-	const AttributeInfo &info = _program->attributes[size_t(index)];
-	if (info.kind == AttributeInfo::Kind::Constant || (info.type != ValueType::Void && info.type != value.type)) {
-		return false;
-	}
-	if (value.is_text()) { // The host's text need not live as long as the override.
-		const uint32_t symbol = _program->find_text(value.text->view);
-		if (symbol != no_symbol) {
-			value = Value::of(&_program->texts[symbol]);
-		} else {
-			_override_texts.emplace_back(value.text->view);
-			_override_text_values.push_back({ _override_texts.back(), no_symbol });
-			value = Value::of(&_override_text_values.back());
-		}
-	}
-	_overrides[size_t(index)] = value;
-	_own_attributes[size_t(index)] = value;
-	return true;
-}
-
-void Vm::clear_overrides() {
-	std::fill(_overrides.begin(), _overrides.end(), Value());
-	std::fill(_own_attributes.begin(), _own_attributes.end(), Value());
-	_override_text_values.clear();
-	_override_texts.clear();
-}
-
-Value Vm::attribute(int index) {
-	if (index < 0 || size_t(index) >= _program->attributes.size()) {
-		return Value();
-	}
-	return load_attribute(uint32_t(index));
-}
-
-void Vm::evaluate_attributes() {
-	for (uint32_t i = 0; i < _program->attributes.size() && !_failed; ++i) {
-		load_attribute(i);
-	}
-}
-
-const Value &Vm::load_attribute(uint32_t index) {
-	Value &value = _attributes[index];
-	if (!value.is_void() && !is_in_evaluation(value)) {
-		return value;
-	}
-	if (is_in_evaluation(value)) {
-		fail("attribute-cycle", "the value of `" + _program->attributes[index].name + "` depends on itself");
-		return value;
-	}
-	value = in_evaluation;
-	Value result = evaluate_attribute(index);
-	return _attributes[index] = result;
-}
-
-Value Vm::evaluate_attribute(uint32_t index) {
-	const AttributeInfo &info = _program->attributes[index];
-	Border border;
-	Value result;
-	if (enter_native(border)) {
-		Random own(_seed, hash_text(info.name));
-		Random *const callers = _random;
-		_random = &own;
-		hide_slots();
-		_base = uint32_t(_top - _stack);
-		_address = uint32_t(info.code);
-		if (run() == Stop::Returned && !_failed) {
-			result = _top[-1];
-		}
-		_random = callers;
-	}
-	leave_native(border);
-	return result;
-}
-
 // --- Messages
 
 SourcePlace Vm::place() const {
@@ -377,11 +305,32 @@ const Text *Vm::make_text(std::string_view text) {
 	return &_texts.back();
 }
 
-const ArrayData *Vm::make_array(std::span<const Value> values, uint32_t rows) {
+const ArrayData *Vm::make_array(std::span<const Value> values, uint32_t rows, ValueType element) {
 	_array_storage.emplace_back(values.begin(), values.end());
 	const uint32_t columns = rows > 0 ? uint32_t(values.size()) / rows : 0;
-	_arrays.push_back({ _array_storage.back().data(), rows, columns });
+	_arrays.push_back({ _array_storage.back().data(), rows, columns, values.empty() ? element : values[0].type });
 	return &_arrays.back();
+}
+
+Value Vm::mismatch(std::string_view id, std::string message, const Value &fallback, std::string hint) {
+	if (is_strict()) {
+		return fail(id, std::move(message), std::move(hint));
+	}
+	warn(id, std::move(message), std::move(hint));
+	return fallback;
+}
+
+Value Vm::default_of(ValueType element) {
+	switch (element) {
+		case ValueType::Bool:
+			return Value::of(false);
+		case ValueType::Text: {
+			static constexpr Text nothing;
+			return Value::of(&nothing);
+		}
+		default:
+			return Value::of(0.0);
+	}
 }
 
 } // namespace pcg

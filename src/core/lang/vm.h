@@ -22,6 +22,7 @@ struct VmLimits {
 	uint32_t max_depth = 1000; // nested rule and function calls
 	uint32_t max_native_depth = 250; // of them inside of handlers (bodies of blocks, predicates), which use the machine's stack
 	uint64_t max_steps = 50'000'000; // calls of rules, functions and operations in one run; an endless rule ends here at the latest
+	uint64_t max_silent_steps = 20'000'000; // of them without an operation or a rule call: functions that call each other
 	uint32_t max_stack = 32'768; // values
 };
 
@@ -36,15 +37,18 @@ public:
 	virtual void pop_group(Vm &) {}
 	// Asked now and then: true ends the run as an error does, whose message is the host's.
 	virtual bool is_interrupted() { return false; }
+	// Attributes are about to be changed for one call: a copy of Vm::attribute_values() that the host owns, put in place with
+	// Vm::use_attributes() and forgotten at the next pop_group. nullptr: the interpreter keeps the copy until begin().
+	virtual Value *copy_attributes(Vm &) { return nullptr; }
 	// Every run-time error of this run, once: file, line, column and message are set. `what` of a household or lot is the host's to add.
 	virtual void report(Diagnostic diagnostic) = 0;
 };
 
 enum class RunState : uint8_t { Finished, Paused, Failed };
 
-// One level of what is running. Group: `[ .. ]`. Native: the border to a handler that evaluates or runs a chunk.
+// One level of what is running. Group: `[ .. ]`. Import: a call with attributes of its own. Native: the border to a handler that evaluates or runs a chunk.
 struct VmFrame {
-	enum class Kind : uint8_t { Rule, Function, Group, Native } kind = Kind::Rule;
+	enum class Kind : uint8_t { Rule, Function, Group, Native, Import } kind = Kind::Rule;
 	uint32_t callable = 0; // of Rule and Function: index in Program::callables
 	uint32_t return_address = 0;
 	uint32_t base = 0; // of the caller
@@ -63,6 +67,7 @@ struct VmState {
 	struct SavedArray {
 		uint32_t rows = 1;
 		uint32_t columns = 0;
+		ValueType element = ValueType::Number;
 		std::vector<Value> values;
 	};
 	uint64_t fingerprint = 0;
@@ -141,7 +146,12 @@ public:
 	void use_random(Random &random) { _random = &random; }
 	// Text that lives until the next begin().
 	const Text *make_text(std::string_view text);
-	const ArrayData *make_array(std::span<const Value> values, uint32_t rows = 1);
+	// Rows of equal length. `element` says what an empty one holds.
+	const ArrayData *make_array(std::span<const Value> values, uint32_t rows = 1, ValueType element = ValueType::Number);
+	// In a strict dialect an error as from fail(); else a warning, and the run goes on with `fallback`.
+	Value mismatch(std::string_view id, std::string message, const Value &fallback, std::string hint = {});
+	// What lies outside of an array: 0, false or "".
+	Value default_of(ValueType element);
 
 	VmHost &host() { return *_host; }
 	const Program &program() const { return *_program; }
@@ -168,13 +178,29 @@ private:
 	bool count_step();
 	const Value &load_attribute(uint32_t index);
 	Value evaluate_attribute(uint32_t index);
-	Value arithmetic(OpCode code, const Value &a, const Value &b);
+	Value arithmetic(const Instruction &instruction, const Value &a, const Value &b);
+	Value divide(OpCode code, double a, double b);
 	Value compare(OpCode code, const Value &a, const Value &b);
 	Value negate(const Value &value);
 	Value fail_types(OpCode code, const Value &a, const Value &b);
 	bool is_true(const Value &condition);
+	bool is_strict() const;
+	// vm_arrays.cpp
+	Value elementwise(OpCode code, const Value &a, const Value &b);
+	Value one_element(OpCode code, const Value &a, const Value &b);
+	Value compare_arrays(OpCode code, const ArrayData &a, const ArrayData &b);
+	Value negate_array(OpCode code, const ArrayData &array);
+	Value make_row(std::span<const Value> parts);
+	Value stack_rows(std::span<const Value> rows);
+	Value make_range(std::span<const Value> parts);
 	Value index_array(const Value &array, std::span<const Value> indices);
+	bool fits_array(uint64_t size);
+	// vm_attributes.cpp
+	bool begin_import(const ImportScope &scope, std::span<const Value> values);
+	Value find_target(std::string_view prefix, const Value &name);
+	Value find_word(std::string_view words, const Value &word);
 	bool check_arguments(const std::vector<ParamSpec> &params, std::string_view name, const Args &args, uint32_t mask);
+	bool call_function(const Instruction &instruction, uint32_t mask, const Block *block);
 	Flow call_operation(const Instruction &instruction, uint32_t mask, const Block *block, const Block *second_block);
 	RunState finish(Stop stop, const Border &border);
 	Diagnostic diagnostic_here(Severity severity, std::string_view id, std::string message, std::string hint) const;
@@ -194,6 +220,7 @@ private:
 	uint32_t _native_depth = 0;
 	uint32_t _call_depth = 0;
 	uint64_t _steps = 0;
+	uint64_t _silent_steps = 0;
 
 	std::unique_ptr<std::byte[]> _memory; // the stack: never moves, pages are used when they are needed
 	Value *_stack = nullptr;
@@ -211,6 +238,8 @@ private:
 	std::deque<std::string> _text_storage;
 	std::deque<std::string> _override_texts;
 	std::deque<Text> _override_text_values;
+	std::vector<Value *> _outer_attributes; // of the frames of kind Import
+	std::deque<std::vector<Value>> _import_attributes;
 	std::deque<ArrayData> _arrays;
 	std::deque<std::vector<Value>> _array_storage;
 	std::vector<uint32_t> _warned; // addresses, sorted

@@ -6,8 +6,9 @@ namespace pcg {
 
 bool Vm::is_true(const Value &condition) {
 	if (!condition.is_bool()) {
-		fail("type-mismatch", "a condition is true or false, this is " + std::string(type_name(condition.type)));
-		return false;
+		const Value fallback = Value::of(condition.is_number() && condition.number != 0.0);
+		const Value result = mismatch("type-mismatch", "a condition is true or false, this is " + std::string(type_name(condition.type)), fallback);
+		return result.is_bool() && result.boolean;
 	}
 	return condition.boolean;
 }
@@ -16,6 +17,7 @@ Flow Vm::call_operation(const Instruction &instruction, uint32_t mask, const Blo
 	const OperationSpec &spec = _program->dialect->operations[instruction.extra];
 	Value *const first = _top - instruction.count;
 	const Args args = { { first, instruction.count }, block, second_block, spec.user };
+	_silent_steps = 0;
 	if (!count_step() || (mask != 0 && !check_arguments(spec.params, spec.name, args, mask))) {
 		return Flow::Stop;
 	}
@@ -27,6 +29,20 @@ Flow Vm::call_operation(const Instruction &instruction, uint32_t mask, const Blo
 		return Flow::Stop;
 	}
 	return flow;
+}
+
+// Leaves the value in place of the arguments. False: the run has failed.
+bool Vm::call_function(const Instruction &instruction, uint32_t mask, const Block *block) {
+	const FunctionSpec &spec = _program->dialect->functions[instruction.extra];
+	Value *const first = _top - instruction.count;
+	const Args args = { { first, instruction.count }, block, nullptr, spec.user };
+	if (mask != 0 && !check_arguments(spec.params, spec.name, args, mask)) {
+		return false;
+	}
+	const Value result = spec.handler(*this, args);
+	*first = result;
+	_top = first + 1;
+	return !_failed;
 }
 
 // Long because this is the dispatch loop: one short case for each instruction, and nothing between them.
@@ -91,7 +107,7 @@ Vm::Stop Vm::run() {
 			top[-2] = Value::of(expression);                                                                                                \
 		} else {                                                                                                                           \
 			store();                                                                                                                        \
-			top[-2] = arithmetic(i.code, a, b);                                                                                             \
+			top[-2] = arithmetic(i, a, b);                                                                                             \
 			if (_failed) {                                                                                                                  \
 				return Stop::Stopped;                                                                                                        \
 			}                                                                                                                               \
@@ -110,9 +126,11 @@ Vm::Stop Vm::run() {
 				PCG_ARITHMETIC(NotEqual, a.number != b.number)
 #undef PCG_ARITHMETIC
 			case OpCode::Divide:
-			case OpCode::Modulo: {
+			case OpCode::Modulo:
+			case OpCode::And:
+			case OpCode::Or: {
 				store();
-				top[-2] = arithmetic(i.code, top[-2], top[-1]);
+				top[-2] = arithmetic(i, top[-2], top[-1]);
 				if (_failed) [[unlikely]] {
 					return Stop::Stopped;
 				}
@@ -128,7 +146,7 @@ Vm::Stop Vm::run() {
 				break;
 			case OpCode::Not:
 				store();
-				top[-1] = Value::of(!is_true(top[-1]));
+				top[-1] = top[-1].is_array() ? negate_array(i.code, *top[-1].array) : Value::of(!is_true(top[-1]));
 				if (_failed) [[unlikely]] {
 					return Stop::Stopped;
 				}
@@ -140,8 +158,10 @@ Vm::Stop Vm::run() {
 				--top;
 				if (!top->is_bool()) [[unlikely]] {
 					store();
-					is_true(*top);
-					return Stop::Stopped;
+					*top = Value::of(is_true(*top));
+					if (_failed) {
+						return Stop::Stopped;
+					}
 				}
 				ip += top->boolean ? 0 : int32_t(i.operand);
 				break;
@@ -150,8 +170,10 @@ Vm::Stop Vm::run() {
 			case OpCode::OrJump: {
 				if (!top[-1].is_bool()) [[unlikely]] {
 					store();
-					is_true(top[-1]);
-					return Stop::Stopped;
+					top[-1] = Value::of(is_true(top[-1]));
+					if (_failed) {
+						return Stop::Stopped;
+					}
 				}
 				if (top[-1].boolean == (i.code == OpCode::OrJump)) {
 					ip += int32_t(i.operand);
@@ -163,8 +185,10 @@ Vm::Stop Vm::run() {
 			case OpCode::CheckBool:
 				if (!top[-1].is_bool()) [[unlikely]] {
 					store();
-					is_true(top[-1]);
-					return Stop::Stopped;
+					top[-1] = Value::of(is_true(top[-1]));
+					if (_failed) {
+						return Stop::Stopped;
+					}
 				}
 				break;
 			case OpCode::Draw:
@@ -174,8 +198,10 @@ Vm::Stop Vm::run() {
 				--top;
 				if (!top->is_number()) [[unlikely]] {
 					store();
-					fail("type-mismatch", "a share is a number in percent, this is " + std::string(type_name(top->type)));
-					return Stop::Stopped;
+					*top = mismatch("type-mismatch", "a share is a number in percent, this is " + std::string(type_name(top->type)), Value::of(0.0));
+					if (_failed) {
+						return Stop::Stopped;
+					}
 				}
 				top[-1].number -= top->number;
 				if (top[-1].number >= 0.0) {
@@ -191,20 +217,20 @@ Vm::Stop Vm::run() {
 			case OpCode::TagSize:
 				top[-1].size_kind = SizeKind(i.extra);
 				break;
-			case OpCode::CallFunction: {
+			case OpCode::CallFunction:
 				store();
-				const FunctionSpec &spec = program.dialect->functions[i.extra];
-				Value *const first = top - i.count;
-				const Args args = { { first, i.count }, nullptr, nullptr, spec.user };
-				if (i.operand != 0 && !check_arguments(spec.params, spec.name, args, i.operand)) [[unlikely]] {
+				if (!call_function(i, i.operand, nullptr)) [[unlikely]] {
 					return Stop::Stopped;
 				}
-				const Value result = spec.handler(*this, args);
-				if (_failed) [[unlikely]] {
+				top = _top;
+				break;
+			case OpCode::CallFunctionBlock: {
+				const uint32_t mask = (ip++)->operand;
+				store();
+				if (!call_function(i, mask, &program.blocks[i.operand])) [[unlikely]] {
 					return Stop::Stopped;
 				}
-				*first = result;
-				top = first + 1;
+				top = _top;
 				break;
 			}
 			case OpCode::CallOperation:
@@ -240,6 +266,7 @@ Vm::Stop Vm::run() {
 			}
 			case OpCode::CallHostRule: {
 				store();
+				_silent_steps = 0;
 				const Flow flow = count_step() ? _host->call_rule(*this, RuleId(i.operand), { top - i.count, i.count }) : Flow::Stop;
 				if (flow != Flow::Next || _failed) [[unlikely]] {
 					return Stop::Stopped;
@@ -260,13 +287,38 @@ Vm::Stop Vm::run() {
 				store();
 				pop_frame();
 				break;
-			case OpCode::MakeArray: {
+			case OpCode::BeginImport:
+				top -= i.count;
 				store();
-				top -= i.operand;
-				const uint32_t rows = i.extra > 0 ? i.operand / i.extra : 1;
-				Value value;
-				value.type = ValueType::Array;
-				value.array = make_array({ top, i.operand }, rows);
+				if (!begin_import(program.import_scopes[i.operand], { top, i.count })) [[unlikely]] {
+					return Stop::Stopped;
+				}
+				break;
+			case OpCode::EndImport:
+				store();
+				pop_frame();
+				break;
+			case OpCode::FindTarget:
+			case OpCode::FindWord: {
+				store();
+				const std::string_view text = program.texts[i.operand].view;
+				top[-1] = i.code == OpCode::FindTarget ? find_target(text, top[-1]) : find_word(text, top[-1]);
+				if (_failed) [[unlikely]] {
+					return Stop::Stopped;
+				}
+				break;
+			}
+			case OpCode::MakeRow:
+			case OpCode::StackRows:
+			case OpCode::MakeRange: {
+				store();
+				const uint32_t count = i.code == OpCode::MakeRange ? i.count : i.operand;
+				const std::span<const Value> parts = { top - count, count };
+				const Value value = i.code == OpCode::MakeRow ? make_row(parts) : i.code == OpCode::StackRows ? stack_rows(parts) : make_range(parts);
+				if (_failed) [[unlikely]] {
+					return Stop::Stopped;
+				}
+				top -= count;
 				*top++ = value;
 				break;
 			}

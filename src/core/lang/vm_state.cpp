@@ -26,6 +26,7 @@ Value Vm::to_saved(const Value &value, VmState &state) const {
 		VmState::SavedArray array;
 		array.rows = value.array->rows;
 		array.columns = value.array->columns;
+		array.element = value.array->element;
 		for (uint32_t i = 0; i < array.rows * array.columns; ++i) {
 			array.values.push_back(to_saved(value.array->values[i], state));
 		}
@@ -142,7 +143,7 @@ bool Vm::restore_values(const VmState &state) {
 				!std::all_of(values.begin(), values.end(), [&](Value &value) { return from_saved(value, state); })) {
 			return false;
 		}
-		make_array(values, saved.rows);
+		make_array(values, saved.rows, saved.element);
 	}
 	_trail = state.trail;
 	_slots = state.slots;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -34,6 +35,10 @@ std::string_view operator_text(OpCode code) {
 			return "==";
 		case OpCode::NotEqual:
 			return "!=";
+		case OpCode::And:
+			return "&&";
+		case OpCode::Or:
+			return "||";
 		default:
 			return "?";
 	}
@@ -72,6 +77,33 @@ bool is_same(const Value &a, const Value &b) {
 
 } // namespace
 
+namespace {
+
+// (3)[1,2,3], or with several rows "(2x2)" and a line for each row, columns flush right.
+std::string array_text(const ArrayData &array) {
+	std::vector<std::string> texts;
+	std::vector<size_t> widths(array.columns, 0);
+	for (uint32_t i = 0; i < array.size(); ++i) {
+		texts.push_back(value_text(array.values[i]));
+		widths[i % array.columns] = std::max(widths[i % array.columns], texts.back().size());
+	}
+	if (array.rows <= 1) {
+		std::string line = "(" + std::to_string(array.columns) + ")[";
+		for (size_t i = 0; i < texts.size(); ++i) {
+			line += (i > 0 ? "," : "") + texts[i];
+		}
+		return line + "]";
+	}
+	std::string block = "(" + std::to_string(array.rows) + "x" + std::to_string(array.columns) + ")";
+	for (size_t i = 0; i < texts.size(); ++i) {
+		const size_t column = i % array.columns;
+		block += (column == 0 ? "\n" : "") + std::string(3 + widths[column] - texts[i].size(), ' ') + texts[i];
+	}
+	return block;
+}
+
+} // namespace
+
 std::string value_text(const Value &value) {
 	switch (value.type) {
 		case ValueType::Number: {
@@ -87,81 +119,123 @@ std::string value_text(const Value &value) {
 			return value.boolean ? "true" : "false";
 		case ValueType::Text:
 			return std::string(value.text->view);
-		case ValueType::Array: {
-			std::string text = "[";
-			for (uint32_t i = 0; i < value.array->rows * value.array->columns; ++i) {
-				text += (i == 0 ? "" : (i % value.array->columns == 0 ? ";" : ",")) + value_text(value.array->values[i]);
-			}
-			return text + "]";
-		}
+		case ValueType::Array:
+			return array_text(*value.array);
 		default:
 			return std::string(type_name(value.type));
 	}
 }
 
 Value Vm::fail_types(OpCode code, const Value &a, const Value &b) {
-	return fail("type-mismatch", "`" + std::string(operator_text(code)) + "` cannot take " + std::string(type_name(a.type)) + " and " +
-										 std::string(type_name(b.type)));
+	const bool is_truth = code == OpCode::NotEqual;
+	const bool is_number = code == OpCode::Add || code == OpCode::Subtract || code == OpCode::Multiply || code == OpCode::Divide || code == OpCode::Modulo;
+	return mismatch("type-mismatch", "`" + std::string(operator_text(code)) + "` cannot take " + std::string(type_name(a.type)) + " and " +
+										 std::string(type_name(b.type)), is_number ? Value::of(0.0) : Value::of(is_truth));
 }
 
-Value Vm::arithmetic(OpCode code, const Value &a, const Value &b) {
-	if (a.is_number() && b.is_number()) { // division and modulus
-		if (b.number == 0.0 && _program->dialect->unknown_names == Dialect::UnknownNames::Error) {
-			return fail("division-by-zero", "division by zero", "test the divisor with `case` before");
+Value Vm::divide(OpCode code, double a, double b) {
+	if (b == 0.0 && is_strict()) {
+		return fail("division-by-zero", "division by zero", "test the divisor with `case` before");
+	}
+	return Value::of(code == OpCode::Divide ? a / b : std::fmod(a, b));
+}
+
+// What the loop does not compute itself.
+Value Vm::arithmetic(const Instruction &instruction, const Value &a, const Value &b) {
+	const OpCode code = instruction.code;
+	if (instruction.extra != 0 && (a.is_array() || b.is_array())) {
+		return elementwise(code, a, b);
+	}
+	return one_element(code, a, b);
+}
+
+Value Vm::one_element(OpCode code, const Value &a, const Value &b) {
+	if (a.is_number() && b.is_number()) {
+		switch (code) {
+			case OpCode::Add:
+				return Value::of(a.number + b.number);
+			case OpCode::Subtract:
+				return Value::of(a.number - b.number);
+			case OpCode::Multiply:
+				return Value::of(a.number * b.number);
+			case OpCode::Divide:
+			case OpCode::Modulo:
+				return divide(code, a.number, b.number);
+			default:
+				return compare(code, a, b);
 		}
-		return Value::of(code == OpCode::Divide ? a.number / b.number : std::fmod(a.number, b.number));
 	}
 	if (code == OpCode::Add && (a.is_text() || b.is_text()) && !a.is_void() && !b.is_void()) {
 		return Value::of(make_text(value_text(a) + value_text(b)));
 	}
+	if (code == OpCode::And || code == OpCode::Or) {
+		const bool left = is_true(a), right = is_true(b);
+		return Value::of(code == OpCode::And ? left && right : left || right);
+	}
 	return compare(code, a, b);
 }
+
+namespace {
+
+// Of an order: negative, zero or positive, as from a three-way comparison.
+bool holds(OpCode code, int order) {
+	switch (code) {
+		case OpCode::Less:
+			return order < 0;
+		case OpCode::LessEqual:
+			return order <= 0;
+		case OpCode::Greater:
+			return order > 0;
+		default:
+			return order >= 0;
+	}
+}
+
+bool is_order(OpCode code) {
+	return code == OpCode::Less || code == OpCode::LessEqual || code == OpCode::Greater || code == OpCode::GreaterEqual;
+}
+
+} // namespace
 
 Value Vm::compare(OpCode code, const Value &a, const Value &b) {
 	if (a.type == b.type && (code == OpCode::Equal || code == OpCode::NotEqual)) {
 		return Value::of(is_same(a, b) == (code == OpCode::Equal));
 	}
-	if (a.is_text() && b.is_text()) {
-		const int order = a.text->view.compare(b.text->view);
-		switch (code) {
-			case OpCode::Less:
-				return Value::of(order < 0);
-			case OpCode::LessEqual:
-				return Value::of(order <= 0);
-			case OpCode::Greater:
-				return Value::of(order > 0);
-			case OpCode::GreaterEqual:
-				return Value::of(order >= 0);
-			default:
-				break;
-		}
+	if (!is_order(code) || a.type != b.type) {
+		return fail_types(code, a, b);
 	}
-	return fail_types(code, a, b);
+	if (a.is_number()) {
+		const bool is_ordered = !std::isnan(a.number) && !std::isnan(b.number);
+		return Value::of(is_ordered && holds(code, a.number < b.number ? -1 : int(a.number > b.number)));
+	}
+	if (a.is_text()) {
+		return Value::of(holds(code, a.text->view.compare(b.text->view)));
+	}
+	return a.is_array() ? compare_arrays(code, *a.array, *b.array) : fail_types(code, a, b);
+}
+
+// Row by row; where everything is equal, the array with fewer columns, then that with fewer rows is less. CGA reference: arrayTypes.
+Value Vm::compare_arrays(OpCode code, const ArrayData &a, const ArrayData &b) {
+	int order = 0;
+	const uint32_t rows = std::min(a.rows, b.rows), columns = std::min(a.columns, b.columns);
+	for (uint32_t row = 0; row < rows && order == 0; ++row) {
+		for (uint32_t column = 0; column < columns && order == 0; ++column) {
+			const Value &left = a.values[row * a.columns + column], &right = b.values[row * b.columns + column];
+			order = compare(OpCode::Less, left, right).boolean ? -1 : int(compare(OpCode::Greater, left, right).boolean);
+		}
+		order = order != 0 ? order : int(a.columns > b.columns) - int(a.columns < b.columns);
+	}
+	return Value::of(holds(code, order != 0 ? order : int(a.rows > b.rows) - int(a.rows < b.rows)));
 }
 
 Value Vm::negate(const Value &value) {
+	if (value.is_array()) {
+		return negate_array(OpCode::Negate, *value.array);
+	}
 	if (!value.is_number()) {
-		return fail("type-mismatch", "`-` takes a number, this is " + std::string(type_name(value.type)));
+		return mismatch("type-mismatch", "`-` takes a number, this is " + std::string(type_name(value.type)), Value::of(0.0));
 	}
 	return Value::of(-value.number);
-}
-
-// Out of range is an error in PCG and nothing special (0) in CGA, as with division by zero.
-Value Vm::index_array(const Value &array, std::span<const Value> indices) {
-	if (array.type != ValueType::Array) {
-		return fail("type-mismatch", "[ ] takes an array, this is " + std::string(type_name(array.type)));
-	}
-	for (const Value &index : indices) {
-		if (!index.is_number()) {
-			return fail("type-mismatch", "an index is a number, this is " + std::string(type_name(index.type)));
-		}
-	}
-	const double column = indices.size() == 2 ? indices[1].number : (array.array->rows == 1 ? indices[0].number : 0.0);
-	const double row = indices.size() == 2 || array.array->rows > 1 ? indices[0].number : 0.0;
-	if (!(row >= 0.0) || !(column >= 0.0) || row >= array.array->rows || column >= array.array->columns) {
-		return fail("index-range", "there is no element " + value_text(indices[0]) + " in this array");
-	}
-	return array.array->values[size_t(row) * array.array->columns + size_t(column)];
 }
 
 namespace {
@@ -176,6 +250,8 @@ ValueType wanted_type(ParamKind kind) {
 			return ValueType::Bool;
 		case ParamKind::Text:
 			return ValueType::Text;
+		case ParamKind::Array:
+			return ValueType::Array;
 		default:
 			return ValueType::Void;
 	}
@@ -190,14 +266,17 @@ bool Vm::check_arguments(const std::vector<ParamSpec> &params, std::string_view 
 		}
 		const ParamSpec &param = params[std::min(i, params.size() - 1)];
 		const ValueType wanted = wanted_type(param.kind);
-		const Value &value = args[i];
+		Value &value = const_cast<Value &>(args[i]); // on the interpreter's own stack
 		const bool is_word_or_number = param.kind == ParamKind::WordOrNumber;
 		const bool is_fine = is_word_or_number ? value.is_number() || value.type == ValueType::Word
 											   : wanted == ValueType::Void || value.type == wanted;
 		if (!is_fine) {
-			fail("type-mismatch", "argument " + std::to_string(i + 1) + " of `" + std::string(name) + "` (" + std::string(param.name) +
-										  ") must be " + std::string(type_name(is_word_or_number ? ValueType::Number : wanted)) +
-										  ", this is " + std::string(type_name(value.type)));
+			const ValueType type = is_word_or_number ? ValueType::Number : wanted;
+			const Value fallback = type == ValueType::Array ? Value::of(make_array({})) : default_of(type);
+			value = mismatch("type-mismatch", "argument " + std::to_string(i + 1) + " of `" + std::string(name) + "` (" + std::string(param.name) +
+							") must be " + std::string(type_name(type)) + ", this is " + std::string(type_name(value.type)), fallback);
+		}
+		if (_failed) {
 			return false;
 		}
 	}

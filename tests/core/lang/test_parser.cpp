@@ -26,8 +26,8 @@ TEST_CASE("random branches end where the next share begins") {
 TEST_CASE("a percent sign is a modulus unless a colon follows") { CHECK(run_day("Start --> log(7 % 4) case 7 % 4 == 3: log(1) else: log(2)") == "3 1"); }
 
 TEST_CASE("an index binds only where it touches") {
-	CHECK(run_shape("a = [1, 2, 3]\nStart --> log(a[1]) log(a) [ log(2) ]") == "2 [1,2,3] [ 2 ]");
-	CHECK(run_shape("m = [1, 2; 3, 4]\nStart --> log(m[1, 0], m)") == "3,[1,2;3,4]");
+	CHECK(run_shape("a = [1, 2, 3]\nStart --> log(a[1]) log(a) [ log(2) ]") == "2 (3)[1,2,3] [ 2 ]");
+	CHECK(run_shape("m = [1, 2; 3, 4]\nStart --> log(m[1, 0], m)") == "3,(2x2)\n   1   2\n   3   4");
 }
 
 TEST_CASE("a trailing dot makes a leaf, and a comment may follow it at once") {
@@ -35,7 +35,7 @@ TEST_CASE("a trailing dot makes a leaf, and a comment may follow it at once") {
 }
 
 TEST_CASE("old splits have entries without sizes and blocks of other operations in them") {
-	CHECK(run_shape("Start --> split(y) { split(x) { 1: A. }* }") == "{ : { 1: leaf:A. }* }");
+	CHECK(run_shape("Start --> split(y) { split(x) { 1: A. }* }") == "{ ~1: { 1: leaf:A. }* }");
 	CHECK(run_shape("Start --> split(y) { { ~1: A. | 2: B. }* | { 1: C. } }") == "{ { ~1: leaf:A. 2: leaf:B. }* { 1: leaf:C. } }");
 }
 

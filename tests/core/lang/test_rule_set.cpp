@@ -91,9 +91,82 @@ TEST_CASE("shapes: rules of an import can be replaced") {
 			"a.Go a.Roof 7");
 }
 
-TEST_CASE("shapes: what is not supported yet is said once where it stands") {
-	CHECK(run_shapes({ { "main", "import a : \"lib\"\nStart --> a(h = 3).Go\nstyle Night\nStart --> log(9)" }, { "lib", "attr h = 5 Go --> log(h)" } }) ==
-			"not-supported 2:11; not-supported 3:1 | a.Go 5");
-	CHECK(check_shape("a = [1:3] b = comp(fe) { all: 1 } c = [1] .+ [2]\nLot --> log(a)") ==
-			"not-supported 1:7; not-supported 1:15; not-supported 1:43");
+TEST_CASE("shapes: a call of an import with attributes of its own evaluates all of them anew") {
+	const std::string lib = "attr h = 5 attr w = h * 2 f(x) = h + x Go --> log(h, w) Roof Roof --> log(h)";
+	CHECK(run_shapes({ { "main", "import a : \"lib\"\nk = 3\nStart --> a(h = k).Go a.Go" }, { "lib", lib } }) ==
+			"[ a.Go 3,6 a.Roof 3 ] a.Go 5,10 a.Roof 5");
+	CHECK(run_shapes({ { "main", "import a : \"lib\"\nStart --> log(a(h = 1).f(10), a.f(10), a(h = 2).w)" }, { "lib", lib } }) == "[ ] [ ] 11,15,4");
+	CHECK(run_shapes({ { "main", "import a : \"lib\"\nStart --> a(nothing = 1).Go b(h = 1).Go a(h = 1).Nothing log(2)" }, { "lib", lib } }) ==
+			"unknown-name 2:13; unknown-import 2:29; unknown-name 2:41 | [ a.Go 5,10 a.Roof 5 ] [ ] 2");
+}
+
+TEST_CASE("shapes: what flows in from the importer also flows into a call with attributes of its own") {
+	CHECK(run_shapes({ { "main", "import a : \"lib\"\nattr w = 7\nStart --> a(h = 1).Go" }, { "lib", "attr h = 5 attr w = 6 Go --> log(h, w)" } }) ==
+			"[ a.Go 1,7 ]");
+}
+
+TEST_CASE("days: a call of an import with attributes of its own is told as an error") {
+	CHECK(run_days({ { "main", "import a : \"lib\"\n@StartRule Start --> a(h = 1).Go" }, { "lib", "attr h = 5 Go --> log(h)" } }).find("[not-in-this-language]") !=
+			std::string::npos);
+}
+
+TEST_CASE("shapes: `start` is the name of the rule that is marked so") {
+	CHECK(run_shapes({ { "main", "import a : \"lib\"\nStart --> a.start" }, { "lib", "start Temple --> log(1) Other --> log(2)" } }) == "a.Temple 1");
+	CHECK(run_shapes({ { "main", "Start --> start B\nstart --> log(1)\nB --> log(2)" } }) == "start 1 B 2"); // a rule of an old file
+}
+
+namespace {
+
+std::string run_style(const std::string &style, std::initializer_list<std::pair<std::string, std::string>> files) {
+	MemorySourceProvider provider;
+	for (const auto &[path, text] : files) {
+		provider.add(path, text);
+	}
+	Diagnostics diagnostics;
+	const auto program = load_program(files.begin()->first, shape_dialect(), provider, diagnostics, style);
+	if (program == nullptr) {
+		return places_of(diagnostics);
+	}
+	LogHost host;
+	Vm vm(*program, host);
+	vm.call(program->find_rule("Start"));
+	return (diagnostics.is_empty() ? "" : places_of(diagnostics) + " | ") + host.text();
+}
+
+const std::string styled = "attr c = 1 attr d = 2\nStart --> log(c, d) Wall\nWall --> log(3)\n"
+						   "style Night\nattr c = 10\nextra = 4\nWall --> log(30, extra)\n"
+						   "style Rain extends Night\nattr d = 20\n";
+
+} // namespace
+
+TEST_CASE("shapes: a style redefines rules and attributes on top of what it extends") {
+	CHECK(run_style("", { { "main", styled } }) == "1,2 Wall 3");
+	CHECK(run_style("Default", { { "main", styled } }) == "1,2 Wall 3");
+	CHECK(run_style("Night", { { "main", styled } }) == "10,2 Wall 30,4");
+	CHECK(run_style("Rain", { { "main", styled } }) == "10,20 Wall 30,4");
+	CHECK(run_style("Snow", { { "main", styled } }) == "unknown-style 0:0");
+}
+
+TEST_CASE("shapes: styles in a circle and unknown bases end at Default") {
+	CHECK(run_style("A", { { "main", "Start --> log(v)\nattr v = 1\nstyle A extends B\nstyle B extends A\nattr v = 2" } }) ==
+			"unknown-style 4:1 | 2");
+	CHECK(run_style("A", { { "main", "Start --> log(v)\nattr v = 1\nstyle A extends Nothing\nattr v = 3" } }) == "unknown-style 3:1 | 3");
+}
+
+TEST_CASE("shapes: an import names the style that it is taken in; overrides reach the Default style only") {
+	const std::string lib = "attr h = 1 Go --> log(h)\nstyle Tall\nattr h = 9";
+	CHECK(run_shapes({ { "main", "import a (Tall) : \"lib\"\nimport b : \"lib\"\nStart --> a.Go b.Go" }, { "lib", lib } }) == "a.Go 9 b.Go 1");
+	CHECK(run_shapes({ { "main", "import a (Tall) : \"lib\" (h = 4)\nimport b : \"lib\" (h = 4)\nStart --> a.Go b.Go" }, { "lib", lib } }) ==
+			"a.Go 9 b.Go 4");
+	CHECK(run_shapes({ { "main", "import a (Tall) : \"lib\"\nattr h = 7\nStart --> a.Go" }, { "lib", lib } }) == "a.Go 9");
+	CHECK(run_shapes({ { "main", "import a (Small) : \"lib\"\nStart --> a.Go" }, { "lib", lib } }) == "unknown-style 1:1 | a.Go 1");
+}
+
+TEST_CASE("shapes: a program knows the styles of its file") {
+	MemorySourceProvider provider;
+	provider.add("main", styled);
+	Diagnostics diagnostics;
+	const auto program = load_program("main", shape_dialect(), provider, diagnostics);
+	REQUIRE(program != nullptr);
+	CHECK(program->styles == std::vector<std::string>{ "Night", "Rain" });
 }
