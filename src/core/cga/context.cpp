@@ -10,6 +10,8 @@ namespace pcg::cga {
 
 namespace {
 
+constexpr size_t most_texts = 100'000; // kept from lot to lot; more are made by rules that glue names together
+
 VmLimits vm_limits(const DeriveLimits &limits) {
 	VmLimits result;
 	result.max_depth = limits.max_depth;
@@ -92,6 +94,10 @@ bool Context::set_up(const InitialShape &initial_shape) {
 	shape.seed = initial_shape.seed;
 	Diagnostics diagnostics;
 	const bool is_usable = make_initial_shape(initial_shape, arena, _lot, shape, diagnostics);
+	if (model.materials().texts().size() > most_texts) {
+		model.materials().texts().clear();
+		texture_files.clear();
+	}
 	model.begin(_lot);
 	model.result().diagnostics.append(diagnostics);
 	vm.begin(initial_shape.seed);

@@ -15,6 +15,7 @@
 #include "core/cga/shape.h"
 #include "core/cga/surroundings.h"
 #include "core/cga/trim.h"
+#include "core/cga/texture_files.h"
 #include "core/lang/vm.h"
 
 // One running derivation: what the operations act on. A rule call only puts a copy of the current shape aside; the rules of these copies run,
@@ -38,6 +39,7 @@ public:
 	ModelBuilder model;
 	Surroundings surroundings;
 	Trimmer trimmer;
+	TextureFiles texture_files;
 	const Lot &lot() const { return _lot; }
 	const InitialShape &initial_shape() const { return *_initial_shape; }
 	const DeriveLimits &limits() const { return _options.limits; }

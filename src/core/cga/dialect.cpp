@@ -16,6 +16,7 @@ Dialect make_dialect() {
 	add_math_functions(dialect);
 	add_functions(dialect);
 	add_context_functions(dialect);
+	add_uv_functions(dialect);
 	add_variables(dialect);
 	add_transform_operations(dialect);
 	add_split_operations(dialect);
@@ -24,6 +25,8 @@ Dialect make_dialect() {
 	add_roof_operations(dialect);
 	add_asset_operations(dialect);
 	add_appearance_operations(dialect);
+	add_projection_operations(dialect);
+	add_uv_operations(dialect);
 	add_flow_operations(dialect);
 	add_semantic_operations(dialect);
 	return dialect;

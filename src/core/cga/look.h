@@ -31,7 +31,8 @@ constexpr uint32_t bit_of(LookPart part) { return 1u << uint32_t(part); }
 constexpr uint32_t bit_of(TextureUse use) { return 1u << (uint32_t(LookPart::FirstTexture) + uint32_t(use)); }
 
 struct TextureSlot {
-	uint32_t file = 0; // 0: none
+	uint32_t file = 0; // as the rule names it; 0: none
+	uint32_t path = 0; // where the host found it; 0: nowhere
 	float scale_u = 1.0f, scale_v = 1.0f;
 	float shift_u = 0.0f, shift_v = 0.0f;
 	float turn = 0.0f;
@@ -52,9 +53,9 @@ struct Look {
 	float reflectivity = 0.0f;
 	float bump_value = 1.0f;
 	float metallic = 0.0f;
-	float roughness = 0.9f;
+	float roughness = 1.0f;
 	uint32_t name = 0, shader = 0;
-	bool is_double_sided = false;
+	bool is_double_sided = true;
 	uint32_t parts = 0; // set by rules
 	const TextureSlots *textures = nullptr; // nullptr: none
 

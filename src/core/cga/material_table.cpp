@@ -9,8 +9,6 @@ namespace pcg::cga {
 
 namespace {
 
-constexpr size_t most_texts = 100'000; // kept from lot to lot; more are made by rules that glue names together
-
 glm::vec4 mixed_color(const Material &asset, const Look &look) {
 	const glm::vec4 &color = (look.parts & bit_of(LookPart::Color)) != 0 ? look.color : asset.color;
 	const glm::vec4 &opacity = (look.parts & bit_of(LookPart::Opacity)) != 0 ? look.color : asset.color;
@@ -33,9 +31,6 @@ void MaterialTable::begin() {
 	_known.clear();
 	_known_of_hash.clear();
 	_last = 0;
-	if (_texts.size() > most_texts) {
-		_texts.clear();
-	}
 }
 
 uint16_t MaterialTable::asset_material(const Material &material) {
@@ -108,7 +103,7 @@ void MaterialTable::set_textures(Material &material, const Look &look, bool is_a
 		const TextureUse use = TextureUse(i);
 		if (!is_asset || (look.parts & bit_of(use)) != 0) {
 			const TextureSlot &slot = look.texture(use);
-			set_map(material.maps, use, slot, _texts.text(slot.file));
+			set_map(material.maps, use, slot, _texts.text(slot.path != 0 ? slot.path : slot.file));
 		}
 	}
 }

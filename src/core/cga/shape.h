@@ -6,6 +6,7 @@
 
 #include "core/cga/geometry.h"
 #include "core/cga/look.h"
+#include "core/cga/projection.h"
 #include "core/cga/scope.h"
 #include "core/lang/value.h"
 
@@ -47,6 +48,7 @@ struct Shape {
 	glm::dmat3 rotation{ 1.0 }; // scope.r
 	glm::dvec3 size{ 0.0 }; // scope.s
 	const Look *look = nullptr;
+	const Projections *projections = nullptr; // nullptr: none is set up
 	Value *attributes = nullptr; // changed only by copying
 	uint64_t seed = 0;
 	int32_t object = -1; // index of the object it belongs to

@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "core/cga/color.h"
 #include "core/cga/context.h"
+#include "core/cga/material_variables.h"
 #include "core/cga/operations/operations.h"
 
 // What rules read of their shape (CGA reference: attr_scope, attr_pivot, attr_material, section 3).
@@ -60,25 +60,11 @@ template <int axis> Value read_pivot(Vm &vm) { return Value::of(pivot_in_object(
 template <int axis> Value read_pivot_turn(Vm &vm) { return Value::of(euler_from_rotation(pivot_in_object(vm).axes)[axis]); }
 template <int axis> Value read_origin(Vm &vm) { return Value::of(Context::of(vm).lot().origin[axis]); }
 
-template <int channel> Value read_color(Vm &vm) { return Value::of(double(shape_of(vm).look->color[channel])); }
-template <int channel> bool write_color(Context &context, double value) {
-	Look &look = context.own_look();
-	look.color[channel] = float(std::clamp(value, 0.0, 1.0));
-	look.mark(LookPart::Color);
-	return true;
-}
-template <float Look::*member> Value read_look(Vm &vm) { return Value::of(double(shape_of(vm).look->*member)); }
-template <float Look::*member> bool write_look(Context &context, double value) {
-	context.own_look().*member = float(std::clamp(value, 0.0, 1.0));
-	return true;
-}
-bool write_nothing(Context &, double) { return true; }
 template <bool Shape::*member> Value read_flag(Vm &vm) { return Value::of(shape_of(vm).*member); }
 template <bool Shape::*member> bool write_flag(Context &context, double value) {
 	context.shape.*member = value != 0.0;
 	return true;
 }
-Value read_zero(Vm &) { return Value::of(0.0); }
 
 template <uint32_t Shape::*member> Value read_index(Vm &vm) { return Value::of(double(shape_of(vm).*member)); }
 
@@ -130,57 +116,27 @@ constexpr Row rows[] = {
 	{ "comp.total", number, read_index<&Shape::comp_total>, nullptr, "How many components its selector took." },
 	{ "comp.sel", text, read_selector, nullptr, "The selector that took this component." },
 	{ "seedian", number, read_seed, write_seed, "The seed of this shape." },
-	{ "material.color.r", number, read_color<0>, write_color<0>, "Red, 0 to 1." },
-	{ "material.color.g", number, read_color<1>, write_color<1>, "Green, 0 to 1." },
-	{ "material.color.b", number, read_color<2>, write_color<2>, "Blue, 0 to 1." },
-	{ "material.color.rgb", text, nullptr, nullptr, "The colour as \"#rrggbb\"." },
-	{ "material.opacity", number, read_color<3>, write_color<3>, "0 is clear, 1 is solid." },
-	{ "material.roughness", number, read_look<&Look::roughness>, write_look<&Look::roughness>, "0 is a mirror, 1 is dull." },
-	{ "material.metallic", number, read_look<&Look::metallic>, write_look<&Look::metallic>, "0 or 1." },
-	{ "material.shininess", number, read_zero, write_nothing, "Accepted without effect; set material.roughness." },
-	{ "material.reflectivity", number, read_zero, write_nothing, "Accepted without effect; set material.roughness." },
 	{ "trim.horizontal", ValueType::Bool, read_flag<&Shape::trims_horizontally>, write_flag<&Shape::trims_horizontally>,
 			"Whether inserted geometry is cut at edges less than 40 degrees from the floor of their face; off unless it is set." },
 	{ "trim.vertical", ValueType::Bool, read_flag<&Shape::trims_vertically>, write_flag<&Shape::trims_vertically>,
 			"Whether inserted geometry is cut at the other edges of its face; on unless it is set." },
 };
 
-Value read_color_text(Vm &vm) {
-	constexpr std::string_view digits = "0123456789abcdef";
-	std::string result = "#";
-	for (int i = 0; i < 3; ++i) {
-		const int value = int(std::lround(shape_of(vm).look->color[i] * 255.0f));
-		result += digits[size_t(value / 16)];
-		result += digits[size_t(value % 16)];
-	}
-	return Value::of(vm.make_text(result));
-}
-
-VariableHandler reader_of(const Row &row) {
-	return row.read != nullptr ? row.read : read_color_text;
-}
-
 } // namespace
 
 void add_variables(Dialect &dialect) {
 	for (const Row &row : rows) {
-		dialect.variables.push_back({ row.name, row.type, reader_of(row), row.help, row.write != nullptr || row.name == "material.color.rgb" });
+		dialect.variables.push_back({ row.name, row.type, row.read, row.help, row.write != nullptr });
 	}
+	add_material_variables(dialect);
 }
 
 bool write_variable(Vm &vm, uint32_t variable, const Value &value) {
+	if (variable >= std::size(rows)) {
+		return write_material_variable(vm, variable - uint32_t(std::size(rows)), value);
+	}
 	Context &context = Context::of(vm);
 	const Row &row = rows[variable];
-	if (row.name == "material.color.rgb") {
-		glm::vec4 color = context.shape.look->color;
-		if (!value.is_text() || !parse_color(value.text->view, color)) {
-			return false;
-		}
-		Look &look = context.own_look();
-		look.color = color;
-		look.mark(LookPart::Color);
-		return true;
-	}
 	const bool is_right_type = row.type == ValueType::Bool ? value.is_bool() : value.is_number();
 	return is_right_type && row.write != nullptr && row.write(context, value.is_bool() ? double(value.boolean) : context.finite(value));
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -22,6 +23,10 @@ public:
 	virtual ~AssetProvider() = default;
 	// nullptr: there is none of that name. `rule_file` is the file whose text names the asset: relative names are sought beside it.
 	virtual const Asset *find(std::string_view name, std::string_view rule_file) const = 0;
+	// The path of a file of any kind, as the host opens it; empty: there is none.
+	virtual std::string locate(std::string_view, std::string_view /*rule_file*/) const { return {}; }
+	// Whether a picture has an alpha channel.
+	virtual bool has_alpha(std::string_view, std::string_view /*rule_file*/) const { return false; }
 };
 
 } // namespace pcg

@@ -4,9 +4,10 @@
 
 #include "core/cga/color.h"
 #include "core/cga/context.h"
+#include "core/cga/material_variables.h"
 #include "core/cga/operations/operations.h"
 
-// color and set (CGA reference, sections 7.1 and 7.8).
+// color, texture and set (CGA reference, sections 7.1, 7.3 and 7.8).
 namespace pcg::cga {
 
 namespace {
@@ -21,6 +22,9 @@ Flow color_from_text(Vm &vm, const Args &args) {
 	Look &look = context.own_look();
 	look.color = color;
 	look.mark(LookPart::Color);
+	if (args[0].text->view.size() > 7) {
+		look.mark(LookPart::Opacity);
+	}
 	return Flow::Next;
 }
 
@@ -31,6 +35,23 @@ Flow color_from_numbers(Vm &vm, const Args &args) {
 		look.color[i] = float(std::clamp(context.finite(args[size_t(i)]), 0.0, 1.0));
 	}
 	look.mark(LookPart::Color);
+	if (args.count() > 3) {
+		look.mark(LookPart::Opacity);
+	}
+	return Flow::Next;
+}
+
+// The opacity map is the same picture if that has an alpha channel.
+Flow texture(Vm &vm, const Args &args) {
+	Context &context = Context::of(vm);
+	if (!args[0].is_text()) {
+		return Flow::Next;
+	}
+	const Text &name = *args[0].text;
+	set_texture(context, TextureUse::Color, name);
+	if (!name.view.empty() && context.texture_files.find(context, name).has_alpha) {
+		set_texture(context, TextureUse::Opacity, name);
+	}
 	return Flow::Next;
 }
 
@@ -53,6 +74,8 @@ void add_appearance_operations(Dialect &dialect) {
 	operations.push_back({ "color", { { "text", Text } }, BlockKind::None, color_from_text, "Sets the colour: \"#rrggbb\", or \"#rrggbbaa\" with opacity." });
 	operations.push_back({ "color", { { "red", Number }, { "green", Number }, { "blue", Number }, { "opacity", Number, {}, true } }, BlockKind::None,
 			color_from_numbers, "Sets the colour; all from 0 to 1." });
+	operations.push_back({ "texture", { { "file", Text } }, BlockKind::None, texture,
+			"Sets the picture of the colour map, and of the opacity map if it has an alpha channel. Texture coordinates come from projectUV() or the asset." });
 	operations.push_back({ "set", { { "name", Target }, { "value", Any } }, BlockKind::None, set,
 			"Sets an attribute of the rule file, of the material or of the scope, for this shape and those made of it." });
 }

@@ -11,13 +11,16 @@ void add_component_operations(Dialect &dialect); // comp
 void add_extrusion_operations(Dialect &dialect);
 void add_roof_operations(Dialect &dialect);
 void add_asset_operations(Dialect &dialect); // i, primitives
-void add_appearance_operations(Dialect &dialect); // color set
+void add_appearance_operations(Dialect &dialect); // color texture set
+void add_projection_operations(Dialect &dialect); // setupProjection projectUV
+void add_uv_operations(Dialect &dialect); // translateUV tileUV ..
 void add_flow_operations(Dialect &dialect); // NIL report print label
 void add_semantic_operations(Dialect &dialect); // entrance zone place
 
 void add_variables(Dialect &dialect); // scope.sx split.index ..
 void add_functions(Dialect &dialect); // geometry.area ..
 void add_context_functions(Dialect &dialect); // inside touches minimumDistance ..
+void add_uv_functions(Dialect &dialect); // geometry.du ..
 // Of set(): false if the variable cannot be written to.
 bool write_variable(Vm &vm, uint32_t variable, const Value &value);
 
