@@ -86,6 +86,7 @@ bool Context::set_up(const InitialShape &initial_shape) {
 	_saved.clear();
 	_stack.clear();
 	_children.clear();
+	_collected = nullptr;
 	_body = { Random(initial_shape.seed), 0, false };
 	arena.release({});
 	shape = {};
@@ -172,6 +173,7 @@ void Context::run_rules(RuleId start) {
 // False: the derivation ends here.
 bool Context::run_rule(const Pending &pending) {
 	_children.clear();
+	_successor_count = 0;
 	if (!count_shape()) {
 		return false;
 	}
@@ -192,6 +194,10 @@ bool Context::run_rule(const Pending &pending) {
 }
 
 void Context::add_leaf(const Shape &leaf) {
+	if (_collected != nullptr) {
+		_collected->push_back(leaf);
+		return;
+	}
 	surroundings.record(leaf, 0);
 	model.add_leaf(leaf);
 }
@@ -251,6 +257,7 @@ Flow Context::call_rule(Vm &, RuleId rule, std::span<const Value> args) {
 	}
 	child.seed = derive_seed(shape.seed, _body.child_count++);
 	child.depth = shape.depth + 1;
+	child.key = arena.make(KeyNode{ shape.key, _successor_count++ });
 	if (_program.rules[index_of(rule)].is_leaf_symbol) {
 		if (!count_shape()) {
 			return Flow::Stop;
@@ -294,6 +301,7 @@ Flow Context::run_child(const Shape &child, Chunk body) {
 	const Flow flow = vm.run_body(body);
 	_saved.pop_back();
 	if (!_body.is_replaced) {
+		++_successor_count;
 		add_leaf(shape);
 	}
 	make_current(outer);

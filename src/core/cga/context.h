@@ -3,6 +3,8 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -59,6 +61,12 @@ public:
 	// Copies of what shapes share, to be changed: the current shape's own afterwards.
 	Look &own_look();
 	void own_attributes();
+	// inline: runs the body and the rules that it calls at once; what comes of it is the current shape.
+	Flow run_inline(Chunk body);
+	// "0;2;1;": the way to the shape whose rule runs.
+	std::string tree_key() const;
+	// The current shape's random numbers begin anew.
+	void reseed(uint64_t seed);
 
 	// The number, or 0 with a warning if it is infinite or not a number.
 	double finite(const Value &value);
@@ -70,6 +78,7 @@ public:
 	Flow call_rule(Vm &vm, RuleId rule, std::span<const Value> args) override;
 	void push_group(Vm &vm) override;
 	void pop_group(Vm &vm) override;
+	Value *copy_attributes(Vm &vm) override;
 	bool is_interrupted() override;
 	void report(Diagnostic diagnostic) override { model.result().diagnostics.add(std::move(diagnostic)); }
 
@@ -98,6 +107,8 @@ private:
 	void run_rules(RuleId start);
 	bool run_rule(const Pending &pending);
 	void make_current(const Shape &other);
+	void run_now();
+	void merge(std::span<const Shape> leaves);
 	void add_leaf(const Shape &leaf);
 	bool count_shape(); // false: there are too many
 
@@ -114,6 +125,8 @@ private:
 	Look _default_look;
 	ContextUse _context_use;
 	std::chrono::steady_clock::time_point _start;
+	uint32_t _successor_count = 0; // of the running rule
+	std::vector<Shape> *_collected = nullptr; // leaves that inline takes
 	bool _is_stopped = false; // a limit was met
 };
 

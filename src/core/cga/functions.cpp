@@ -1,12 +1,11 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <string>
 
-#include "core/cga/color.h"
 #include "core/cga/components.h"
 #include "core/cga/context.h"
 #include "core/cga/measure.h"
+#include "core/cga/functions/functions.h"
 #include "core/cga/operations/operations.h"
 
 // Functions of the shape grammar (CGA reference, sections 8.1 and 8.3).
@@ -16,10 +15,6 @@ namespace {
 
 const Shape &shape_of(Vm &vm) {
 	return Context::of(vm).shape;
-}
-
-std::string_view text_at(const Args &args, size_t i) {
-	return args[i].is_text() ? args[i].text->view : std::string_view();
 }
 
 template <double (*measure)(const Shape &)> Value measured(Vm &vm, const Args &) { return Value::of(measure(shape_of(vm))); }
@@ -88,49 +83,6 @@ Value closed(Vm &vm, const Args &) { return Value::of(shape_of(vm).geometry != n
 Value rectangular(Vm &vm, const Args &args) { return Value::of(is_rectangular(shape_of(vm), args.number_or(0, 0.0))); }
 Value planar(Vm &vm, const Args &args) { return Value::of(is_planar(shape_of(vm), args.number_or(0, 0.0))); }
 
-// --- Conversions and text
-
-Value to_text(Vm &vm, const Args &args) { return Value::of(vm.make_text(value_text(args[0]))); }
-
-Value to_number(Vm &, const Args &args) {
-	if (args[0].is_number()) {
-		return args[0];
-	}
-	if (args[0].is_bool()) {
-		return Value::of(args[0].boolean ? 1.0 : 0.0);
-	}
-	std::string_view text = text_at(args, 0);
-	text.remove_prefix(std::min(text.find_first_not_of(" \t+"), text.size()));
-	double result = NAN;
-	std::from_chars(text.data(), text.data() + text.size(), result);
-	return Value::of(result);
-}
-
-Value text_length(Vm &, const Args &args) { return Value::of(double(text_at(args, 0).size())); }
-
-Value substring(Vm &vm, const Args &args) {
-	const std::string_view text = text_at(args, 0);
-	const auto position = [&](double value) { return value > 0.0 ? size_t(std::min(value, double(text.size()))) : size_t(0); };
-	const size_t from = position(args[1].number), to = position(args[2].number);
-	return Value::of(vm.make_text(to > from ? text.substr(from, to - from) : std::string_view()));
-}
-
-Value find(Vm &, const Args &args) {
-	const std::string_view text = text_at(args, 0), wanted = text_at(args, 1);
-	double left = args.number_or(2, 0.0);
-	for (size_t at = text.find(wanted); at != std::string_view::npos; at = text.find(wanted, at + 1)) {
-		if (left-- <= 0.0) {
-			return Value::of(double(at));
-		}
-	}
-	return Value::of(-1.0);
-}
-
-template <int channel> Value color_channel(Vm &, const Args &args) {
-	glm::vec4 color(1.0f);
-	return Value::of(parse_color(text_at(args, 0), color) ? double(color[channel]) : 0.0);
-}
-
 void add_geometry_functions(Dialect &dialect) {
 	using enum ParamKind;
 	auto &functions = dialect.functions;
@@ -154,18 +106,12 @@ void add_geometry_functions(Dialect &dialect) {
 } // namespace
 
 void add_functions(Dialect &dialect) {
-	using enum ParamKind;
 	add_geometry_functions(dialect);
-	auto &functions = dialect.functions;
-	const ParamSpec text = { "text", Text };
-	functions.push_back({ "str", { { "value", Any } }, ValueType::Text, to_text, "The value as text." });
-	functions.push_back({ "float", { { "value", Any } }, ValueType::Number, to_number, "The number at the start of a text; not a number if there is none." });
-	functions.push_back({ "len", { text }, ValueType::Number, text_length, "Length of a text." });
-	functions.push_back({ "substring", { text, { "from", Number }, { "to", Number } }, ValueType::Text, substring, "The characters from one position to before another." });
-	functions.push_back({ "find", { text, { "part", Text }, { "occurrence", Number, {}, true } }, ValueType::Number, find, "Where a part begins, or -1." });
-	functions.push_back({ "colorHexToR", { text }, ValueType::Number, color_channel<0>, "Red of \"#rrggbb\", 0 to 1." });
-	functions.push_back({ "colorHexToG", { text }, ValueType::Number, color_channel<1>, "Green of \"#rrggbb\", 0 to 1." });
-	functions.push_back({ "colorHexToB", { text }, ValueType::Number, color_channel<2>, "Blue of \"#rrggbb\", 0 to 1." });
+	add_text_functions(dialect);
+	add_list_functions(dialect);
+	add_color_functions(dialect);
+	add_array_functions(dialect);
+	add_flow_functions(dialect);
 }
 
 } // namespace pcg::cga

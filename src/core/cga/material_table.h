@@ -19,6 +19,8 @@ public:
 
 	// For GeometryFace::material; 0 if there are too many.
 	uint16_t asset_material(const Material &material);
+	// The same of what a look says: faces that keep it when their shape gets another.
+	uint16_t look_material(const Look &look) { return asset_material(make(look, 0)); }
 	// Of a shape's own faces (0) and of those with an asset's material: that one, with what rules have set themselves.
 	uint32_t index_of(const Look &look, uint16_t asset_material);
 	TextPool &texts() { return _texts; }

@@ -229,4 +229,11 @@ void ModelBuilder::add_report(std::string_view key, double value) {
 	found->max = std::max(found->max, value);
 }
 
+void ModelBuilder::add_print(std::string line) {
+	constexpr size_t most = 10'000;
+	if (_result.prints.size() < most) {
+		_result.prints.push_back(std::move(line));
+	}
+}
+
 } // namespace pcg::cga

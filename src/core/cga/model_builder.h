@@ -27,6 +27,7 @@ public:
 	bool add_place(const Shape &shape);
 	MaterialTable &materials() { return _materials; }
 	void add_report(std::string_view key, double value);
+	void add_print(std::string line); // the first ten thousand are kept
 
 private:
 	bool add_face(Mesh &mesh, const Geometry &geometry, const GeometryFace &face, const Shape &shape, const Frame &to_target, uint32_t material);

@@ -37,6 +37,12 @@ struct TreePlace {
 	bool is_beyond = false; // the path goes on where the recorded tree does not
 };
 
+// The way to a shape in the tree of shapes, from its end (CGA reference: func_getTreeKey).
+struct KeyNode {
+	const KeyNode *parent = nullptr;
+	uint32_t index = 0; // among the children of its parent
+};
+
 // Where and what a shape is (CGA reference, section 2). Copied at every rule call: plain data; what is big lies in the arena and is shared.
 struct Shape {
 	const Geometry *geometry = nullptr; // nullptr: a scope without geometry
@@ -59,6 +65,7 @@ struct Shape {
 	const TrimSource *trim = nullptr;
 	uint32_t trim_face = 0;
 	bool trims_vertically = true, trims_horizontally = false; // trim.vertical, trim.horizontal
+	const KeyNode *key = nullptr; // nullptr: the first shape
 	TreePlace tree; // only where rules ask about other shapes
 
 	Frame frame() const { return *pivot * Frame{ rotation, position }; }

@@ -78,10 +78,15 @@ Value read_elevation(Vm &vm) {
 }
 Value read_name(Vm &vm) { return Value::of(vm.make_text(Context::of(vm).initial_shape().name)); }
 Value read_start_rule(Vm &vm) { return Value::of(vm.make_text(Context::of(vm).initial_shape().start_rule)); }
-// As a number that fits a double exactly.
-Value read_seed(Vm &vm) { return Value::of(double(shape_of(vm).seed >> 33)); }
+// As a number that fits a double exactly. Small whole numbers are seeds themselves, so that what was set is read again.
+constexpr uint64_t small_seeds = uint64_t(1) << 31;
+Value read_seed(Vm &vm) {
+	const uint64_t seed = shape_of(vm).seed;
+	return Value::of(double(seed < small_seeds ? seed : seed >> 33));
+}
 bool write_seed(Context &context, double value) {
-	context.shape.seed = derive_seed(uint64_t(int64_t(std::clamp(value, -9e15, 9e15))), 0);
+	const bool is_small = value >= 0.0 && value < double(small_seeds) && value == std::floor(value);
+	context.reseed(is_small ? uint64_t(value) : derive_seed(uint64_t(int64_t(std::clamp(value * 1024.0, -9e15, 9e15))), 0));
 	return true;
 }
 

@@ -19,11 +19,7 @@ Flow report(Vm &vm, const Args &args) {
 }
 
 Flow print(Vm &vm, const Args &args) {
-	constexpr size_t most_prints = 10'000;
-	auto &prints = Context::of(vm).model.result().prints;
-	if (prints.size() < most_prints) {
-		prints.push_back(value_text(args[0]));
-	}
+	Context::of(vm).model.add_print(value_text(args[0]));
 	return Flow::Next;
 }
 
@@ -36,6 +32,15 @@ Flow label(Vm &vm, const Args &args) {
 	return Flow::Next;
 }
 
+Flow inlined(Vm &vm, const Args &args) {
+	Context &context = Context::of(vm);
+	if (args[0].word == 1) {
+		vm.warn("not-supported", "inline(unify) appends here: faces inside of others stay", "use inline(append) and cleanupGeometry where the parts touch only");
+	}
+	const auto entries = context.vm.entries(*args.block);
+	return entries.empty() ? Flow::Next : context.run_inline(entries[0].body);
+}
+
 } // namespace
 
 void add_flow_operations(Dialect &dialect) {
@@ -44,6 +49,8 @@ void add_flow_operations(Dialect &dialect) {
 	operations.push_back({ "NIL", {}, BlockKind::None, nil, "Drops the shape." });
 	operations.push_back({ "report", { { "key", Text }, { "value", Any } }, BlockKind::None, report,
 			"Adds a number to the model's list of reports: sum, average, smallest, largest and count for each key." });
+	operations.push_back({ "inline", { { "strategy", Word, "append unify recompose" } }, BlockKind::Bodies, inlined,
+			"Runs a rule or operations at once; the shapes that come out are put together and become the current shape." });
 	operations.push_back({ "print", { { "value", Any } }, BlockKind::None, print, "Writes a value to the model's list of messages." });
 	operations.push_back({ "label", { { "name", Text } }, BlockKind::None, label,
 			"Makes the shape, as it is now, known to queries that ask for this label: inside, overlaps, touches, minimumDistance, contextCount, contextCompare." });

@@ -1,0 +1,210 @@
+#include <algorithm>
+
+#include <glm/common.hpp>
+#include <glm/matrix.hpp>
+
+#include "core/cga/context.h"
+
+// Successors that become the current shape (CGA reference: op_inline), and what the interpreter asks for between them.
+namespace pcg::cga {
+
+Value *Context::copy_attributes(Vm &) {
+	if (shape.attributes == nullptr) { // attributes are being evaluated: there is no shape yet
+		return nullptr;
+	}
+	own_attributes();
+	return shape.attributes;
+}
+
+std::string Context::tree_key() const {
+	std::vector<uint32_t> way;
+	for (const KeyNode *node = shape.key; node != nullptr; node = node->parent) {
+		way.push_back(node->index);
+	}
+	std::string text = "0;";
+	for (size_t i = way.size(); i-- > 0;) {
+		text += std::to_string(way[i]) + ";";
+	}
+	return text;
+}
+
+void Context::reseed(uint64_t seed) {
+	shape.seed = seed;
+	_body.random = Random(seed, 0);
+	_body.child_count = 0;
+}
+
+// Everything that waits, with its memory kept: the leaves are still needed.
+void Context::run_now() {
+	std::vector<Pending> waiting(_children.rbegin(), _children.rend());
+	while (!waiting.empty()) {
+		const Pending pending = waiting.back();
+		waiting.pop_back();
+		if (!run_rule(pending)) {
+			return;
+		}
+		waiting.insert(waiting.end(), _children.rbegin(), _children.rend());
+	}
+}
+
+Flow Context::run_inline(Chunk body) {
+	std::vector<Shape> leaves;
+	std::vector<Shape> *const outer_collected = _collected;
+	std::vector<Pending> outer_children = std::move(_children);
+	const Shape outer = shape;
+	const Body outer_body = _body;
+	const uint32_t outer_count = _successor_count;
+	_children.clear();
+	_collected = &leaves;
+	Flow flow = run_child(shape, body);
+	if (flow == Flow::Next) {
+		run_now();
+	}
+	_collected = outer_collected;
+	_children = std::move(outer_children);
+	_successor_count = outer_count;
+	make_current(outer);
+	_body = outer_body;
+	++_body.child_count; // its random numbers are not used again
+	if (vm.has_failed() || _is_stopped) {
+		return Flow::Stop;
+	}
+	merge(leaves);
+	return flow;
+}
+
+namespace {
+
+// Geometries one behind the other; nothing is joined.
+class Appender {
+public:
+	Appender(Arena &arena, std::span<const Shape> leaves) : _arena(arena) {
+		for (const Shape &leaf : leaves) {
+			if (leaf.geometry != nullptr) {
+				_result.point_count += leaf.geometry->point_count;
+				_result.loop_count += leaf.geometry->loop_count;
+				_result.face_count += leaf.geometry->face_count;
+				_has_corners |= leaf.geometry->corners != nullptr;
+			}
+		}
+		_points = arena.allocate<glm::dvec3>(_result.point_count);
+		_loop_ends = arena.allocate<uint32_t>(_result.loop_count);
+		_faces = arena.allocate<GeometryFace>(_result.face_count);
+		if (_has_corners) {
+			_corners = arena.make(CornerData{});
+		}
+	}
+
+	// `to_target` from the leaf's scope; `material` 0: the faces keep theirs.
+	void add(const Geometry &source, const Frame &to_target, uint16_t material) {
+		for (uint32_t i = 0; i < source.point_count; ++i) {
+			_points[_point + i] = to_target.to_parent(source.points[i]);
+		}
+		add_corners(source, to_target);
+		for (uint32_t i = 0; i < source.loop_count; ++i) {
+			_loop_ends[_loop + i] = _point + source.loop_ends[i];
+		}
+		for (uint32_t i = 0; i < source.face_count; ++i) {
+			GeometryFace face = source.faces[i];
+			face.first_loop += _loop;
+			face.material = material != 0 ? material : face.material;
+			_faces[_face + i] = face;
+		}
+		_point += source.point_count;
+		_loop += source.loop_count;
+		_face += source.face_count;
+	}
+
+	const Geometry *finish(bool is_closed) {
+		_result.points = _points;
+		_result.loop_ends = _loop_ends;
+		_result.faces = _faces;
+		_result.corners = _corners;
+		_result.is_closed = is_closed;
+		_result.low = glm::dvec3(INFINITY);
+		_result.high = glm::dvec3(-INFINITY);
+		for (uint32_t i = 0; i < _result.point_count; ++i) {
+			_result.low = glm::min(_result.low, _points[i]);
+			_result.high = glm::max(_result.high, _points[i]);
+		}
+		return _result.face_count > 0 ? _arena.make(_result) : nullptr;
+	}
+
+private:
+	void add_corners(const Geometry &source, const Frame &to_target) {
+		for (size_t set = 0; set < uv_set_count && source.corners != nullptr; ++set) {
+			if (source.corners->uvs[set] != nullptr) {
+				std::copy_n(source.corners->uvs[set], source.point_count, const_cast<glm::dvec2 *>(uvs(set)) + _point);
+			}
+		}
+		if (source.corners != nullptr && source.corners->normals != nullptr) {
+			for (uint32_t i = 0; i < source.point_count; ++i) {
+				const_cast<glm::dvec3 *>(normals())[_point + i] = to_target.axes * source.corners->normals[i];
+			}
+		}
+	}
+	const glm::dvec2 *uvs(size_t set) {
+		if (_corners->uvs[set] == nullptr) {
+			glm::dvec2 *all = _arena.allocate<glm::dvec2>(_result.point_count);
+			std::fill_n(all, _result.point_count, no_uv());
+			_corners->uvs[set] = all;
+		}
+		return _corners->uvs[set];
+	}
+	const glm::dvec3 *normals() {
+		if (_corners->normals == nullptr) {
+			glm::dvec3 *all = _arena.allocate<glm::dvec3>(_result.point_count);
+			std::fill_n(all, _result.point_count, glm::dvec3(0.0));
+			_corners->normals = all;
+		}
+		return _corners->normals;
+	}
+
+	Arena &_arena;
+	Geometry _result;
+	glm::dvec3 *_points = nullptr;
+	uint32_t *_loop_ends = nullptr;
+	GeometryFace *_faces = nullptr;
+	CornerData *_corners = nullptr;
+	bool _has_corners = false;
+	uint32_t _point = 0, _loop = 0, _face = 0;
+};
+
+} // namespace
+
+// One leaf is taken as it is; of several the geometry, each face with the material that its leaf had.
+void Context::merge(std::span<const Shape> leaves) {
+	const Shape outer = shape;
+	if (leaves.size() == 1) {
+		make_current(leaves[0]);
+		shape.seed = outer.seed;
+		shape.depth = outer.depth;
+		shape.key = outer.key;
+		shape.tree = outer.tree;
+		shape.object = outer.object;
+		return;
+	}
+	const bool has_one_look = std::ranges::all_of(leaves, [&](const Shape &leaf) { return is_same(*leaf.look, *leaves[0].look); });
+	Appender appender(arena, leaves);
+	bool is_closed = true;
+	for (const Shape &leaf : leaves) {
+		const Geometry *geometry = baked(leaf, arena);
+		if (geometry != nullptr) {
+			const Frame target = outer.frame(), own = leaf.frame();
+			const Frame to_target = { glm::transpose(target.axes) * own.axes, target.to_local(own.origin) };
+			appender.add(*geometry, to_target, has_one_look ? 0 : model.materials().look_material(*leaf.look));
+			is_closed &= geometry->is_closed;
+		}
+	}
+	const Geometry *merged = appender.finish(is_closed);
+	if (has_one_look && !leaves.empty()) {
+		shape.look = leaves[0].look;
+	}
+	if (merged != nullptr) {
+		set_geometry(shape, merged);
+	} else {
+		shape.geometry = nullptr;
+	}
+}
+
+} // namespace pcg::cga
