@@ -62,8 +62,14 @@ std::vector<bool> asked_about(std::span<const DeriveJob> jobs, std::span<const s
 	BoundsTree tree;
 	tree.build(boxes);
 	const glm::dvec3 margin(occlusion_distance + 1e-3);
+	const Program *known = nullptr;
+	ContextUse use;
 	for (const size_t job : asking) {
-		if (context_use(*jobs[job].program).inter_labels) {
+		if (known != jobs[job].program) {
+			known = jobs[job].program;
+			use = context_use(*known);
+		}
+		if (use.inter_labels) {
 			return std::vector<bool>(jobs.size(), true);
 		}
 		tree.any(boxes[job].low - margin, boxes[job].high + margin, [&](uint32_t other) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <mutex>
 
+#include "core/cga/neighborhood.h"
 #include "core/city/ground.h"
 #include "core/city/lot_messages.h"
 #include "core/city/lot_semantics.h"
@@ -14,17 +15,36 @@ namespace {
 // Interpreters at rest, by program: a thread takes one for a lot and gives it back, so that there are never more than threads.
 class Derivers {
 public:
-	explicit Derivers(const cga::DeriveOptions &options) : _options(options) {}
+	// Cancelling the city ends the lots that are being built, too.
+	explicit Derivers(const CityOptions &options) : _options(options.derive) {
+		_options.cancel = _options.cancel != nullptr ? _options.cancel : options.work.cancel;
+	}
 
-	cga::DerivationResult derive(const Program &program, const cga::InitialShape &shape) {
+	cga::DerivationResult derive(const Program &program, const cga::InitialShape &shape, const cga::Neighbors &neighbors) {
 		std::unique_ptr<cga::Deriver> deriver = take(program);
-		cga::DerivationResult result = deriver->derive(shape);
-		const std::lock_guard<std::mutex> lock(_mutex);
-		_resting[&program].push_back(std::move(deriver));
+		cga::DerivationResult result = deriver->derive(shape, neighbors);
+		give_back(program, std::move(deriver));
+		return result;
+	}
+	bool asks_inter(const Program &program) {
+		const auto [place, is_new] = _asks_inter.emplace(&program, false);
+		if (is_new) {
+			place->second = cga::context_use(program).asks_inter();
+		}
+		return place->second;
+	}
+	std::shared_ptr<const cga::Occluders> occluders(const Program &program, const cga::InitialShape &shape) {
+		std::unique_ptr<cga::Deriver> deriver = take(program);
+		std::shared_ptr<const cga::Occluders> result = deriver->occluders(shape);
+		give_back(program, std::move(deriver));
 		return result;
 	}
 
 private:
+	void give_back(const Program &program, std::unique_ptr<cga::Deriver> deriver) {
+		const std::lock_guard<std::mutex> lock(_mutex);
+		_resting[&program].push_back(std::move(deriver));
+	}
 	std::unique_ptr<cga::Deriver> take(const Program &program) {
 		const std::lock_guard<std::mutex> lock(_mutex);
 		std::vector<std::unique_ptr<cga::Deriver>> &resting = _resting[&program];
@@ -36,7 +56,8 @@ private:
 		return deriver;
 	}
 
-	const cga::DeriveOptions &_options;
+	cga::DeriveOptions _options;
+	std::map<const Program *, bool> _asks_inter; // used by one thread only
 	std::mutex _mutex;
 	std::map<const Program *, std::vector<std::unique_ptr<cga::Deriver>>> _resting;
 };
@@ -60,9 +81,44 @@ cga::InitialShape initial_shape(const Layout &layout, LotId id, const LotRules &
 	return shape;
 }
 
-void build_lot(City &city, LotId id, const LotRules &rules, const CityOptions &options, Derivers &derivers) {
+// What the rules of some lots may ask of others; empty if they ask nothing (CGA reference: inter queries).
+using LotOccluders = std::vector<std::shared_ptr<const cga::Occluders>>;
+
+// Null pointers where nobody of `lots` looks. What a lot shows to others is built without looking at others, so their order does not matter.
+LotOccluders occluders_for(const City &city, std::span<const size_t> lots, const RulesByType &rules, const CityOptions &options, Derivers &derivers) {
+	std::vector<cga::InitialShape> shapes(city.lots.size());
+	std::vector<cga::DeriveJob> jobs(city.lots.size());
+	for (size_t i = 0; i < jobs.size(); ++i) {
+		const LotRules *lot_rules = rules_of(rules, city.layout.lots[i].type);
+		shapes[i] = initial_shape(city.layout, LotId(i), lot_rules ? *lot_rules : LotRules());
+		jobs[i] = { lot_rules ? lot_rules->program.get() : nullptr, &shapes[i] };
+	}
+	const std::vector<bool> is_asked = cga::asked_about(jobs, lots, options.derive.occlusion_distance);
+	LotOccluders result(jobs.size());
+	WorkOptions work = options.work;
+	work.progress = {};
+	parallel_for(jobs.size(), work, [&](size_t i) {
+		if (is_asked[i] && jobs[i].program) {
+			result[i] = derivers.occluders(*jobs[i].program, shapes[i]);
+		}
+	});
+	return result;
+}
+
+LotOccluders occluders_for_asking(const City &city, const RulesByType &rules, const CityOptions &options, Derivers &derivers) {
+	std::vector<size_t> asking;
+	for (size_t i = 0; i < city.lots.size(); ++i) {
+		const LotRules *lot_rules = rules_of(rules, city.layout.lots[i].type);
+		if (lot_rules && derivers.asks_inter(*lot_rules->program)) {
+			asking.push_back(i);
+		}
+	}
+	return asking.empty() ? LotOccluders() : occluders_for(city, asking, rules, options, derivers);
+}
+
+void build_lot(City &city, LotId id, const LotRules &rules, const LotOccluders &occluders, const CityOptions &options, Derivers &derivers) {
 	LotBuild &build = city.lots[index_of(id)];
-	build.model = derivers.derive(*rules.program, initial_shape(city.layout, id, rules));
+	build.model = derivers.derive(*rules.program, initial_shape(city.layout, id, rules), { occluders, index_of(id) });
 	build.free_ground = free_ground(city.layout.lot(id), build.model.mesh, options.free_ground);
 }
 
@@ -115,10 +171,11 @@ std::optional<City> generate_city(Layout layout, const RulesByType &rules, const
 	city.lots.resize(city.layout.lots.size());
 	city.ground = make_ground(city.layout);
 	report_missing_rules(city.layout, rules, diagnostics);
-	Derivers derivers(options.derive);
+	Derivers derivers(options);
+	const LotOccluders occluders = occluders_for_asking(city, rules, options, derivers);
 	const bool is_done = parallel_for(city.lots.size(), options.work, [&](size_t i) {
 		if (const LotRules *lot_rules = rules_of(rules, city.layout.lots[i].type)) {
-			build_lot(city, LotId(i), *lot_rules, options, derivers);
+			build_lot(city, LotId(i), *lot_rules, occluders, options, derivers);
 		} else {
 			leave_empty(city, LotId(i), options);
 		}
@@ -143,8 +200,13 @@ bool regenerate_lot(City &city, LotId lot, const RulesByType &rules, const CityO
 		diagnostics.error("no-rules", "there are no rules for this lot", "name a rule file for its type");
 		return false;
 	}
-	Derivers derivers(options.derive);
-	build_lot(city, lot, *lot_rules, options, derivers);
+	Derivers derivers(options);
+	LotOccluders occluders;
+	if (derivers.asks_inter(*lot_rules->program)) {
+		const size_t asking = index_of(lot);
+		occluders = occluders_for(city, { &asking, 1 }, rules, options, derivers);
+	}
+	build_lot(city, lot, *lot_rules, occluders, options, derivers);
 	unregister_lot(city, lot);
 	register_lot(city, lot);
 	LotMessages messages;
