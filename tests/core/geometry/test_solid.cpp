@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <glm/vec2.hpp>
+
 #include "core/geometry/bounds_tree.h"
 
 using namespace pcg;
