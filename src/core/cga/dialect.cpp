@@ -21,6 +21,9 @@ Dialect make_dialect() {
 	add_transform_operations(dialect);
 	add_split_operations(dialect);
 	add_component_operations(dialect);
+	add_setback_operations(dialect);
+	add_wing_operations(dialect);
+	add_outline_operations(dialect);
 	add_extrusion_operations(dialect);
 	add_roof_operations(dialect);
 	add_asset_operations(dialect);

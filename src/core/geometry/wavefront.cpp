@@ -388,7 +388,7 @@ void Wavefront::collect_fronts() {
 			is_done[v] = true;
 			const Edge &edge = _edges[_vertices[v].after_edge];
 			add_border(_vertices[v].after_edge, final_node[_vertices[v].next], final_node[v]);
-			front.points.push_back(_vertices[v].position);
+			front.points.push_back(_nodes[final_node[v]].position);
 			front.edges.push_back(edge.source);
 		}
 		if (front.points.size() > 2) {

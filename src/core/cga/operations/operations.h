@@ -8,6 +8,9 @@ namespace pcg::cga {
 void add_transform_operations(Dialect &dialect); // t r s center ..
 void add_split_operations(Dialect &dialect);
 void add_component_operations(Dialect &dialect); // comp
+void add_setback_operations(Dialect &dialect); // setback setbackPerEdge setbackToArea
+void add_wing_operations(Dialect &dialect); // shapeL shapeU shapeO innerRectangle
+void add_outline_operations(Dialect &dialect); // offset convexify innerRect ..
 void add_extrusion_operations(Dialect &dialect);
 void add_roof_operations(Dialect &dialect);
 void add_asset_operations(Dialect &dialect); // i, primitives

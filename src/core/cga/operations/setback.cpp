@@ -1,0 +1,236 @@
+#include "core/geometry/setback.h"
+
+#include <cmath>
+
+#include "core/cga/components.h"
+#include "core/cga/operations/face_pieces.h"
+#include "core/cga/operations/operations.h"
+
+// setback(distance) { selector : body | .. | remainder : body } and its relatives (CGA reference, section 4.4).
+namespace pcg::cga {
+
+namespace {
+
+constexpr uint32_t nobody = UINT32_MAX;
+
+class SetbackOperation {
+public:
+	SetbackOperation(Context &context, const Geometry &geometry, const Block &block)
+			: _context(context), _parent(context.shape), _entries(context.vm.entries(block)), _faces(flat_faces(geometry)) {
+		_edges = components_of(geometry, ComponentKind::FaceEdges);
+		drop_edges_of_flat_faces(geometry);
+		assign();
+	}
+
+	// Of all edges, selected or not, in order of comp(fe).
+	size_t edge_count() const { return _edges.size(); }
+	Shape edge(uint32_t index) {
+		Shape shape = edge_shape(_parent, _edges[index], _context.arena);
+		shape.comp_index = index;
+		shape.comp_total = uint32_t(_edges.size());
+		return shape;
+	}
+
+	Flow run(const std::vector<double> &distances) {
+		const std::vector<Setback> results = move(distances);
+		for (uint32_t e = 0; e < _entries.size(); ++e) {
+			const bool is_remainder = is_word(_context, _entries[e], "remainder");
+			if (run_pieces(_context, _parent, _entries[e], is_remainder ? rest_of(results) : strips_of(results, e)) != Flow::Next) {
+				return Flow::Stop;
+			}
+		}
+		return Flow::Next;
+	}
+
+	double rest_area(const std::vector<double> &distances) {
+		double area = 0.0;
+		for (const Setback &result : move(distances)) {
+			for (const Loops2 &polygon : result.rest) {
+				area += area_of(polygon);
+			}
+		}
+		return area;
+	}
+
+private:
+	// Only faces with an area have edges to move.
+	void drop_edges_of_flat_faces(const Geometry &geometry) {
+		std::erase_if(_edges, [&](const ComponentInfo &info) { return geometry.outline(geometry.faces[info.face]).size() < 3; });
+	}
+
+	// Each edge goes to the first entry that selects it.
+	void assign() {
+		_entry_of.assign(_edges.size(), nobody);
+		for (uint32_t i = 0; i < _edges.size(); ++i) {
+			for (uint32_t e = 0; e < _entries.size() && _entry_of[i] == nobody; ++e) {
+				_entry_of[i] = selects(_entries[e], i) ? e : nobody;
+			}
+		}
+	}
+
+	bool selects(const BlockEntry &entry, uint32_t index) {
+		const Selector selector = entry.word != no_symbol ? _context.selector(entry.word) : Selector{};
+		if (selector.kind != SelectorKind::Unknown) {
+			return matches(selector, _edges[index].component, _parent, _context.lot());
+		}
+		if (entry.head == Chunk::None || is_word(_context, entry, "remainder")) {
+			return false;
+		}
+		const Value value = _context.evaluate_on(edge(index), entry.head);
+		if (!value.is_number()) {
+			return value.is_bool() && value.boolean;
+		}
+		const double count = double(_edges.size()), wrapped = std::fmod(value.number, count); // of any index: modulo
+		return wrapped + (wrapped < 0.0 ? count : 0.0) == double(index);
+	}
+
+	std::vector<Setback> move(const std::vector<double> &distances) {
+		std::vector<Setback> results;
+		uint32_t first = 0;
+		bool is_complete = true;
+		for (const FlatFace &face : _faces) {
+			std::vector<double> own(face.edge_count(), 0.0);
+			for (uint32_t i = 0; i < own.size(); ++i) {
+				const uint32_t index = first + i;
+				own[i] = index < distances.size() && _entry_of[index] != nobody ? distances[index] : 0.0;
+			}
+			first += face.edge_count();
+			results.push_back(set_back(face.loops(), own));
+			is_complete &= results.back().is_complete;
+		}
+		if (!is_complete) {
+			_context.vm.warn("broken-outline", "the outline of this face crosses itself; its edges are not set back");
+		}
+		return results;
+	}
+
+	std::vector<FacePiece> strips_of(const std::vector<Setback> &results, uint32_t entry) const {
+		std::vector<FacePiece> pieces;
+		uint32_t first = 0;
+		for (size_t f = 0; f < _faces.size(); ++f) {
+			for (const SetbackStrip &strip : results[f].strips) {
+				if (_entry_of[first + strip.edge] == entry) {
+					pieces.push_back({ &_faces[f], strip.polygon });
+				}
+			}
+			first += _faces[f].edge_count();
+		}
+		return pieces;
+	}
+
+	std::vector<FacePiece> rest_of(const std::vector<Setback> &results) const {
+		std::vector<FacePiece> pieces;
+		for (size_t f = 0; f < _faces.size(); ++f) {
+			for (const Loops2 &polygon : results[f].rest) {
+				pieces.push_back({ &_faces[f], polygon });
+			}
+		}
+		return pieces;
+	}
+
+	Context &_context;
+	Shape _parent;
+	std::span<const BlockEntry> _entries;
+	std::vector<FlatFace> _faces;
+	std::vector<ComponentInfo> _edges; // of all faces, in order
+	std::vector<uint32_t> _entry_of;
+};
+
+// One number for all edges, or an array with one for each.
+std::vector<double> distances_of(Context &context, const Value &value, size_t edges, double fallback) {
+	if (value.type != ValueType::Array) {
+		return std::vector<double>(edges, value.is_number() ? setback_distance(context, value) : fallback);
+	}
+	std::vector<double> distances(edges, 0.0);
+	for (size_t i = 0; i < edges && i < size_t(value.array->rows) * value.array->columns; ++i) {
+		distances[i] = setback_distance(context, value.array->values[i]);
+	}
+	return distances;
+}
+
+Flow setback(Vm &vm, const Args &args) {
+	Context &context = Context::of(vm);
+	context.mark_replaced();
+	const Geometry *geometry = baked(context.shape, context.arena);
+	if (geometry == nullptr || args.block == nullptr) {
+		return Flow::Next;
+	}
+	SetbackOperation operation(context, *geometry, *args.block);
+	return operation.run(distances_of(context, args[0], operation.edge_count(), 0.0));
+}
+
+Flow setback_per_edge(Vm &vm, const Args &args) {
+	Context &context = Context::of(vm);
+	context.mark_replaced();
+	const Geometry *geometry = baked(context.shape, context.arena);
+	if (geometry == nullptr || args.block == nullptr) {
+		return Flow::Next;
+	}
+	SetbackOperation operation(context, *geometry, *args.block);
+	std::vector<double> distances;
+	for (uint32_t i = 0; i < operation.edge_count(); ++i) {
+		distances.push_back(setback_distance(context, context.evaluate_on(operation.edge(i), Chunk(args[0].chunk))));
+	}
+	return operation.run(distances);
+}
+
+// The distance common to all edges, within their bounds, that leaves `area`: it falls as the distance grows.
+std::vector<double> distances_for_area(SetbackOperation &operation, double area, const std::vector<double> &least, const std::vector<double> &most) {
+	std::vector<double> distances = least;
+	const auto set = [&](double more) {
+		for (size_t i = 0; i < least.size(); ++i) {
+			distances[i] = std::min(least[i] + more, std::max(least[i], most[i]));
+		}
+	};
+	double low = 0.0, high = 1.0;
+	set(high);
+	while (operation.rest_area(distances) > area && high < 1e6) {
+		high *= 2.0;
+		set(high);
+	}
+	for (int i = 0; i < 50; ++i) {
+		const double middle = 0.5 * (low + high);
+		set(middle);
+		(operation.rest_area(distances) > area ? low : high) = middle;
+	}
+	set(low);
+	return distances;
+}
+
+Flow setback_to_area(Vm &vm, const Args &args) {
+	Context &context = Context::of(vm);
+	context.mark_replaced();
+	const Geometry *geometry = baked(context.shape, context.arena);
+	const double area = context.finite(args[0]);
+	if (geometry == nullptr || args.block == nullptr) {
+		return Flow::Next;
+	}
+	if (area <= 0.0) {
+		vm.warn("not-positive", "the area that a setback leaves must be above 0; nothing is set back");
+	}
+	SetbackOperation operation(context, *geometry, *args.block);
+	const auto bounds = [&](size_t i, double fallback) { // an argument that is no array is the uv set
+		const bool is_given = args.count() > i && args[i].type == ValueType::Array;
+		return distances_of(context, is_given ? args[i] : Value(), operation.edge_count(), fallback);
+	};
+	const std::vector<double> least = bounds(1, 0.0);
+	return operation.run(area > 0.0 ? distances_for_area(operation, area, least, bounds(2, 1e9)) : least);
+}
+
+} // namespace
+
+void add_setback_operations(Dialect &dialect) {
+	using enum ParamKind;
+	auto &operations = dialect.operations;
+	const ParamSpec uv_set = { "uvSet", Number, {}, true };
+	operations.push_back({ "setback", { { "distance", Any }, uv_set }, BlockKind::Selectors, setback,
+			"Moves the selected edges of each face inwards, all by one distance or each by its own of an array in order of comp(fe). Each edge's "
+			"selector gets the strip that it passed over, `remainder` what is left." });
+	operations.push_back({ "setbackPerEdge", { { "distance", Predicate }, uv_set }, BlockKind::Selectors, setback_per_edge,
+			"As setback; the distance is worked out for each edge, as for a shape of comp(fe)." });
+	operations.push_back({ "setbackToArea", { { "area", Number }, { "minDistances", Any, {}, true }, { "maxDistances", Any, {}, true }, uv_set },
+			BlockKind::Selectors, setback_to_area,
+			"As setback, with the distance that leaves a remainder of this area, square metres; arrays bound the distance of each edge." });
+}
+
+} // namespace pcg::cga

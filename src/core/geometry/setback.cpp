@@ -1,0 +1,208 @@
+#include "core/geometry/setback.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "core/geometry/polygon.h"
+#include "core/geometry/straight_skeleton.h"
+
+namespace pcg {
+
+double area_of(const Loops2 &polygon) {
+	double area = 0.0;
+	for (const Loop2 &loop : polygon) {
+		area += 0.5 * signed_area(loop);
+	}
+	return area;
+}
+
+namespace {
+
+size_t edge_count(const Loops2 &polygon) {
+	size_t count = 0;
+	for (const Loop2 &loop : polygon) {
+		count += loop.size();
+	}
+	return count;
+}
+
+bool is_crossing(const Loops2 &polygon) {
+	return std::ranges::any_of(polygon, [](const Loop2 &loop) { return is_self_intersecting(loop); });
+}
+
+Setback unmoved(const Loops2 &polygon, bool is_complete) {
+	return { {}, { polygon }, is_complete };
+}
+
+// A loop with the edge that each of its sides came from.
+struct SourcedLoop {
+	Loop2 points;
+	std::vector<uint32_t> edges;
+	uint32_t first_edge() const { return *std::ranges::min_element(edges); }
+};
+
+SourcedLoop begun_at_lowest_edge(SourcedLoop loop) {
+	const auto at = std::ranges::min_element(loop.edges) - loop.edges.begin();
+	std::ranges::rotate(loop.points, loop.points.begin() + at);
+	std::ranges::rotate(loop.edges, loop.edges.begin() + at);
+	return loop;
+}
+
+std::vector<Loops2> polygons_of(std::vector<SourcedLoop> loops) {
+	for (SourcedLoop &loop : loops) {
+		loop = begun_at_lowest_edge(std::move(loop));
+	}
+	std::ranges::stable_sort(loops, {}, [](const SourcedLoop &loop) { return loop.edges[0]; });
+	Loops2 points;
+	for (SourcedLoop &loop : loops) {
+		points.push_back(std::move(loop.points));
+	}
+	return group_loops(points);
+}
+
+Loop2 flat(const SkeletonFace &face) {
+	Loop2 points;
+	for (const SkeletonVertex &vertex : face.outline) {
+		points.push_back(vertex.position);
+	}
+	return points;
+}
+
+// How far a corner moves while the edges move by 1, at most 1000.
+double longest_mitre(const Loop2 &loop) {
+	double longest = 1.0;
+	for (size_t i = 0; i < loop.size(); ++i) {
+		const glm::dvec2 a = loop[i], b = loop[(i + 1) % loop.size()], c = loop[(i + 2) % loop.size()];
+		const double scale = glm::distance(a, b) * glm::distance(b, c);
+		const double cosine = scale > 0.0 ? glm::dot(b - a, c - b) / scale : 1.0;
+		longest = std::max(longest, std::sqrt(2.0 / std::max(1.0 + cosine, 2e-6)));
+	}
+	return longest;
+}
+
+std::vector<SetbackStrip> strips_of(const StraightSkeleton &skeleton) {
+	std::vector<SetbackStrip> strips;
+	for (size_t i = 0; i < skeleton.faces.size();) {
+		const uint32_t edge = skeleton.faces[i].edge;
+		Loops2 loops;
+		for (; i < skeleton.faces.size() && skeleton.faces[i].edge == edge; ++i) {
+			loops.push_back(flat(skeleton.faces[i]));
+		}
+		for (Loops2 &polygon : group_loops(loops)) {
+			strips.push_back({ edge, std::move(polygon) });
+		}
+	}
+	return strips;
+}
+
+// Where they do not, events fell together in a way that the skeleton could not follow.
+bool adds_up(const std::vector<SetbackStrip> &strips, const StraightSkeleton &skeleton, double area) {
+	double sum = 0.0;
+	for (const SetbackStrip &strip : strips) {
+		sum += area_of(strip.polygon);
+	}
+	for (const SkeletonFront &front : skeleton.fronts) {
+		sum += 0.5 * signed_area(front.points);
+	}
+	return skeleton.is_complete && std::abs(sum - area) <= 1e-6 * area;
+}
+
+// The polygon as a hole in a wide frame that stands still, so that outwards is inwards.
+struct Inverted {
+	Loops2 loops;
+	std::vector<double> speeds;
+	std::vector<uint32_t> sources; // edges of the polygon; of the frame's four nothing
+};
+
+Inverted invert(const Loops2 &polygon, double distance) {
+	const double reach = 1.1 * longest_mitre(polygon[0]) * distance;
+	glm::dvec2 low(polygon[0][0]), high(polygon[0][0]);
+	for (const glm::dvec2 &point : polygon[0]) {
+		low = glm::min(low, point - reach);
+		high = glm::max(high, point + reach);
+	}
+	Inverted inverted{ { { low, { high.x, low.y }, high, { low.x, high.y } } }, std::vector<double>(4, 0.0), std::vector<uint32_t>(4, UINT32_MAX) };
+	uint32_t first = 0;
+	for (const Loop2 &loop : polygon) {
+		const uint32_t count = uint32_t(loop.size());
+		inverted.loops.emplace_back(loop.rbegin(), loop.rend());
+		for (uint32_t i = 0; i < count; ++i) { // edge i of the reversed loop runs from point count-1-i to count-2-i
+			inverted.sources.push_back(first + (2 * count - 2 - i) % count);
+			inverted.speeds.push_back(distance);
+		}
+		first += count;
+	}
+	return inverted;
+}
+
+SourcedLoop turned_back(const SkeletonFront &front, const std::vector<uint32_t> &sources) {
+	SourcedLoop loop;
+	const size_t count = front.points.size();
+	for (size_t i = 0; i < count; ++i) {
+		loop.points.push_back(front.points[count - 1 - i]);
+		loop.edges.push_back(sources[front.edges[(2 * count - 2 - i) % count]]);
+	}
+	return loop;
+}
+
+} // namespace
+
+Setback set_back(const Loops2 &polygon, const std::vector<double> &distances) {
+	const bool is_moving = std::ranges::any_of(distances, [](double d) { return d > 0.0; });
+	if (!is_moving || distances.size() != edge_count(polygon)) {
+		return unmoved(polygon, true);
+	}
+	if (is_crossing(polygon)) {
+		return unmoved(polygon, false);
+	}
+	const StraightSkeleton skeleton = straight_skeleton(polygon, distances, 1.0);
+	Setback result;
+	result.strips = strips_of(skeleton);
+	if (!adds_up(result.strips, skeleton, area_of(polygon))) {
+		return unmoved(polygon, false);
+	}
+	std::vector<SourcedLoop> loops;
+	for (const SkeletonFront &front : skeleton.fronts) {
+		loops.push_back({ front.points, front.edges });
+	}
+	result.rest = polygons_of(std::move(loops));
+	return result;
+}
+
+Setback grow(const Loops2 &polygon, double distance) {
+	if (!(distance > 0.0) || polygon.empty() || polygon[0].empty()) {
+		return unmoved(polygon, true);
+	}
+	if (is_crossing(polygon)) {
+		return unmoved(polygon, false);
+	}
+	const Inverted inverted = invert(polygon, distance);
+	const StraightSkeleton skeleton = straight_skeleton(inverted.loops, inverted.speeds, 1.0);
+	Setback result;
+	result.strips = strips_of(skeleton);
+	if (!adds_up(result.strips, skeleton, area_of(inverted.loops))) {
+		return unmoved(polygon, false);
+	}
+	for (SetbackStrip &strip : result.strips) { // begins with its edge reversed: as a clockwise one with the edge as it runs
+		strip.edge = inverted.sources[strip.edge];
+		for (Loop2 &loop : strip.polygon) {
+			std::reverse(loop.begin(), loop.end());
+			std::rotate(loop.begin(), loop.end() - 2, loop.end());
+		}
+	}
+	std::ranges::stable_sort(result.strips, {}, &SetbackStrip::edge);
+	std::vector<SourcedLoop> loops;
+	for (const SkeletonFront &front : skeleton.fronts) {
+		if (!std::ranges::all_of(front.edges, [](uint32_t edge) { return edge < 4; })) { // not the frame
+			loops.push_back(turned_back(front, inverted.sources));
+		}
+	}
+	result.rest = polygons_of(std::move(loops));
+	return result;
+}
+
+} // namespace pcg

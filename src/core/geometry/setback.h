@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/geometry/overlay.h"
+
+// Polygons whose edges move in their plane (CGA reference: op_setback, op_offset). Edges count through all loops, edge i of a loop runs from its
+// i-th point to the next. Source: the weighted straight skeleton.
+namespace pcg {
+
+// What one edge passed over; its first edge is the edge itself. It has a hole where the edge went around one that stands still. An edge has two
+// strips only where its strip touches itself in a point.
+struct SetbackStrip {
+	uint32_t edge = 0;
+	Loops2 polygon;
+};
+
+// `strips` in order of edges. `rest`: what is left, or the polygon grown; each outline and hole begins with the side that came from its
+// lowest edge, the polygon of the lowest edge comes first. Strips and rest share corners to the last bit.
+struct Setback {
+	std::vector<SetbackStrip> strips;
+	std::vector<Loops2> rest;
+	bool is_complete = true; // false: the outline crosses itself; nothing was moved and `rest` is the polygon as it was
+};
+
+// Moves each edge inwards by its distance >= 0, metres; an edge with 0 stays. Corners move on the bisector of the two moved lines.
+Setback set_back(const Loops2 &polygon, const std::vector<double> &distances);
+
+// Moves all edges outwards by `distance` > 0 with mitred corners; one sharper than about 0.1 degrees is cut. The strips look the other way, so
+// that the grown polygon and they together are the polygon. Wings that meet close to holes.
+Setback grow(const Loops2 &polygon, double distance);
+
+// Area of an outline less its holes.
+double area_of(const Loops2 &polygon);
+
+} // namespace pcg
