@@ -20,6 +20,8 @@ Dialect make_dialect() {
 	add_variables(dialect);
 	add_transform_operations(dialect);
 	add_split_operations(dialect);
+	add_split_area_operations(dialect);
+	add_scatter_operations(dialect);
 	add_component_operations(dialect);
 	add_setback_operations(dialect);
 	add_wing_operations(dialect);

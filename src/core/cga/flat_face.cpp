@@ -46,20 +46,22 @@ FlatFace::FlatFace(const Geometry &geometry, uint32_t face, View view) : _geomet
 	}
 }
 
-glm::dvec3 FlatFace::to_space(glm::dvec2 point) const {
+void FlatFace::add_point(GeometryBuilder &builder, glm::dvec2 point) const {
 	for (size_t l = 0; l < _loops.size(); ++l) {
 		for (size_t i = 0; i < _loops[l].size(); ++i) {
 			if (_loops[l][i] == point) {
-				return _geometry->loop(face().first_loop + uint32_t(l))[i];
+				const uint32_t corner = _geometry->first_point(face().first_loop + uint32_t(l)) + uint32_t(i);
+				builder.add_corner(_geometry->points[corner], corner);
+				return;
 			}
 		}
 	}
-	return _origin + _x * point.x + _y * point.y;
+	builder.add_inside(_origin + _x * point.x + _y * point.y, _face);
 }
 
 void FlatFace::add_loop(GeometryBuilder &builder, const Loop2 &loop) const {
 	for (const glm::dvec2 &point : loop) {
-		builder.add_point(to_space(point));
+		add_point(builder, point);
 	}
 	builder.end_loop();
 }

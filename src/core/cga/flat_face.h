@@ -17,13 +17,15 @@ public:
 	uint32_t edge_count() const { return _edge_count; }
 	const GeometryFace &face() const { return _geometry->faces[_face]; }
 
-	// Corners of the face come back to the last bit.
-	glm::dvec3 to_space(glm::dvec2 point) const;
-	// Adds a polygon in the face's plane as a face of the same material.
+	const Geometry &geometry() const { return *_geometry; }
+
+	// Adds a polygon in the face's plane as a face of the same material. Corners of the face come back to the last bit and with what they carry;
+	// what new ones carry lies between, if the builder began with this face's geometry.
 	void add(GeometryBuilder &builder, const Loops2 &polygon, FaceTag tag = FaceTag::None) const;
 	void add(GeometryBuilder &builder, const Loop2 &outline, FaceTag tag = FaceTag::None) const;
 
 private:
+	void add_point(GeometryBuilder &builder, glm::dvec2 point) const;
 	void add_loop(GeometryBuilder &builder, const Loop2 &loop) const;
 
 	const Geometry *_geometry;

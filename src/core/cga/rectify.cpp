@@ -89,7 +89,7 @@ void rectify(const Geometry &geometry, double angle, GeometryBuilder &builder) {
 			}
 		}
 	}
-	builder.clear();
+	builder.begin(geometry);
 	for (uint32_t f = 0; f < geometry.face_count; ++f) {
 		const GeometryFace &face = geometry.faces[f];
 		for (uint32_t l = face.first_loop; l < face.first_loop + face.loop_count; ++l) {
@@ -97,7 +97,7 @@ void rectify(const Geometry &geometry, double angle, GeometryBuilder &builder) {
 				glm::dvec3 point = geometry.points[i];
 				point[v] = along_u.place(numbers[i], point[v]);
 				point[u] = along_v.place(numbers[i], point[u]);
-				builder.add_point(point);
+				builder.add_corner(point, i);
 			}
 			builder.end_loop();
 		}

@@ -25,17 +25,17 @@ Flow run_piece_shape(Context &context, const Shape &parent, const BlockEntry &en
 
 Flow run_pieces(Context &context, const Shape &parent, const BlockEntry &entry, const std::vector<FacePiece> &pieces) {
 	const bool is_one = entry.separator != BlockEntry::Separator::Each;
-	context.builder.clear();
-	for (const FacePiece &piece : pieces) {
-		piece.face->add(context.builder, piece.polygon);
-		if (!is_one) {
-			if (run_piece_shape(context, parent, entry) != Flow::Next) {
-				return Flow::Stop;
-			}
-			context.builder.clear();
+	for (size_t i = 0; i < pieces.size(); ++i) {
+		if (i == 0 || !is_one) { // bodies use the builder too
+			context.builder.begin(pieces[i].face->geometry());
+		}
+		pieces[i].face->add(context.builder, pieces[i].polygon);
+		const bool is_whole = !is_one || i + 1 == pieces.size();
+		if (is_whole && run_piece_shape(context, parent, entry) != Flow::Next) {
+			return Flow::Stop;
 		}
 	}
-	return is_one ? run_piece_shape(context, parent, entry) : Flow::Next;
+	return Flow::Next;
 }
 
 void replace_faces(Context &context, bool is_closed) {

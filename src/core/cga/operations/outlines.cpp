@@ -21,6 +21,9 @@ Flow offset(Vm &vm, const Args &args) {
 		return Flow::Next;
 	}
 	context.builder.clear();
+	if (distance <= 0.0) { // texture coordinates end at the outline
+		context.builder.begin(*geometry);
+	}
 	bool is_complete = true;
 	for (const FlatFace &face : flat_faces(*geometry)) {
 		const Setback result =
@@ -47,7 +50,7 @@ Flow convexify(Vm &vm, const Args &args) {
 		return Flow::Next;
 	}
 	const double longest = args.count() > 0 ? context.finite(args[0]) : 1e12;
-	context.builder.clear();
+	context.builder.begin(*geometry);
 	for (const FlatFace &face : flat_faces(*geometry)) {
 		for (const Loops2 &part : convex_parts(face.loops(), longest)) {
 			face.add(context.builder, part);
@@ -63,7 +66,7 @@ Flow delete_holes(Vm &vm, const Args &) {
 	if (geometry == nullptr || geometry->loop_count == geometry->face_count) {
 		return Flow::Next;
 	}
-	context.builder.clear();
+	context.builder.begin(*geometry);
 	for (const FlatFace &face : flat_faces(*geometry)) {
 		face.add(context.builder, face.loops()[0], face.face().tag);
 	}

@@ -7,17 +7,12 @@
 
 #include "core/cga/context.h"
 #include "core/cga/operations/operations.h"
-#include "core/cga/split_layout.h"
+#include "core/cga/operations/split_parts.h"
 
 // split(axis) { size : body | .. }* (CGA reference, section 4.2).
 namespace pcg::cga {
 
 namespace {
-
-struct Sizes {
-	std::vector<SplitGroup> groups;
-	std::vector<const BlockEntry *> entries;
-};
 
 SplitSize evaluate_size(Context &context, const BlockEntry &entry, uint32_t index) {
 	if (entry.head == Chunk::None) { // of files before 2015.0
@@ -27,9 +22,9 @@ SplitSize evaluate_size(Context &context, const BlockEntry &entry, uint32_t inde
 	return { context.finite(value), value.size_kind, index };
 }
 
-void collect(Context &context, const Block &block, bool is_repeated, Sizes &sizes);
+void collect(Context &context, const Block &block, bool is_repeated, SplitSizes &sizes);
 
-void collect_nested(Context &context, const BlockEntry &entry, bool is_repeated, Sizes &sizes) {
+void collect_nested(Context &context, const BlockEntry &entry, bool is_repeated, SplitSizes &sizes) {
 	const Block &block = context.vm.program().blocks[entry.block];
 	if (entry.kind == BlockEntry::Kind::Group || is_repeated) { // plain grouping; a repeat inside of a repeat goes with it
 		collect(context, block, is_repeated, sizes);
@@ -41,7 +36,7 @@ void collect_nested(Context &context, const BlockEntry &entry, bool is_repeated,
 }
 
 // Adds the sizes of a block to the last group.
-void collect(Context &context, const Block &block, bool is_repeated, Sizes &sizes) {
+void collect(Context &context, const Block &block, bool is_repeated, SplitSizes &sizes) {
 	for (const BlockEntry &entry : context.vm.entries(block)) {
 		if (entry.kind != BlockEntry::Kind::Body) {
 			collect_nested(context, entry, is_repeated, sizes);
@@ -84,6 +79,7 @@ bool cut(Context &context, Shape &child, int axis, double low, double high) {
 	return result != nullptr;
 }
 
+// False: nothing of the shape lies in the part.
 bool make_part(Context &context, const SplitPart &part, int axis, bool adjusts, Shape &child) {
 	const bool is_negative = child.size[axis] < 0.0;
 	const double low = is_negative ? -part.to : part.from, high = is_negative ? -part.from : part.to;
@@ -103,6 +99,34 @@ bool make_part(Context &context, const SplitPart &part, int axis, bool adjusts, 
 	return true;
 }
 
+} // namespace
+
+SplitSizes split_sizes(Context &context, const Block &block) {
+	SplitSizes sizes;
+	sizes.groups.push_back({ {}, block.is_repeated });
+	collect(context, block, block.is_repeated, sizes);
+	return sizes;
+}
+
+Flow run_split(Context &context, const SplitSizes &sizes, const SplitLayout &layout, int axis, bool adjusts) {
+	if (layout.is_clamped) {
+		context.vm.warn("too-many-parts", "this split repeats more than " + std::to_string(context.limits().max_repeats) + " times and was cut short",
+				"its sizes are in metres; use a larger one, or raise the limit");
+	}
+	uint32_t index = 0;
+	for (const SplitPart &part : layout.parts) {
+		Shape child = context.shape;
+		child.split_index = index++;
+		child.split_total = uint32_t(layout.parts.size());
+		if (make_part(context, part, axis, adjusts, child) && context.run_child(child, sizes.entries[part.entry]->body) != Flow::Next) {
+			return Flow::Stop;
+		}
+	}
+	return Flow::Next;
+}
+
+namespace {
+
 Flow split(Vm &vm, const Args &args) {
 	Context &context = Context::of(vm);
 	context.mark_replaced();
@@ -111,27 +135,9 @@ Flow split(Vm &vm, const Args &args) {
 	if (context.shape.geometry == nullptr || args.block == nullptr) {
 		return Flow::Next;
 	}
-	Sizes sizes;
-	sizes.groups.push_back({ {}, args.block->is_repeated });
-	collect(context, *args.block, args.block->is_repeated, sizes);
-	const SplitLayout layout = lay_out_split(sizes.groups, std::abs(context.shape.size[axis]), context.limits().max_repeats);
-	if (layout.is_clamped) {
-		vm.warn("too-many-parts", "this split repeats more than " + std::to_string(context.limits().max_repeats) + " times and was cut short",
-				"its sizes are in metres; use a larger one, or raise the limit");
-	}
-	uint32_t index = 0;
-	for (const SplitPart &part : layout.parts) {
-		Shape child = context.shape;
-		child.split_index = index++;
-		child.split_total = uint32_t(layout.parts.size());
-		if (!make_part(context, part, axis, adjusts, child)) {
-			continue;
-		}
-		if (context.run_child(child, sizes.entries[part.entry]->body) != Flow::Next) {
-			return Flow::Stop;
-		}
-	}
-	return Flow::Next;
+	const SplitSizes sizes = split_sizes(context, *args.block);
+	const double length = std::abs(context.shape.size[axis]);
+	return run_split(context, sizes, lay_out_split(sizes.groups, length, context.limits().max_repeats), axis, adjusts);
 }
 
 } // namespace

@@ -158,7 +158,7 @@ Flow inner_rect(Vm &vm, const Args &) {
 	if (geometry == nullptr) {
 		return Flow::Next;
 	}
-	context.builder.clear();
+	context.builder.begin(*geometry);
 	for (const FlatFace &face : flat_faces(*geometry, FlatFace::View::AlongAxis)) {
 		const Loop2 rectangle = rectangle_in(face, false);
 		if (!rectangle.empty()) {
