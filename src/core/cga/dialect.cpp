@@ -21,7 +21,9 @@ Dialect make_dialect() {
 	add_transform_operations(dialect);
 	add_split_operations(dialect);
 	add_split_area_operations(dialect);
+	add_perimeter_operations(dialect);
 	add_scatter_operations(dialect);
+	add_envelope_operations(dialect);
 	add_component_operations(dialect);
 	add_setback_operations(dialect);
 	add_wing_operations(dialect);

@@ -197,7 +197,7 @@ void Compiler::operation_call(int operation, const Command &command) {
 		return;
 	}
 	const uint32_t first = block(command.block, spec.block);
-	const uint32_t second = command.second_block == no_node ? 0 : block(command.second_block, spec.block) + 1;
+	const uint32_t second = command.second_block == no_node ? 0 : block(command.second_block, spec.block == BlockKind::Sizes ? BlockKind::Selectors : spec.block) + 1;
 	emit(OpCode::CallBlock, command.offset, effect, first, uint32_t(operation), command.arguments.count);
 	emit(OpCode::Data, command.offset, 0, mask);
 	emit(OpCode::Data, command.offset, 0, second);

@@ -8,7 +8,9 @@ namespace pcg::cga {
 void add_transform_operations(Dialect &dialect); // t r s center ..
 void add_split_operations(Dialect &dialect);
 void add_split_area_operations(Dialect &dialect);
+void add_perimeter_operations(Dialect &dialect); // splitAndSetbackPerimeter
 void add_scatter_operations(Dialect &dialect);
+void add_envelope_operations(Dialect &dialect);
 void add_component_operations(Dialect &dialect); // comp
 void add_setback_operations(Dialect &dialect); // setback setbackPerEdge setbackToArea
 void add_wing_operations(Dialect &dialect); // shapeL shapeU shapeO innerRectangle

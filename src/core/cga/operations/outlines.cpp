@@ -20,6 +20,9 @@ Flow offset(Vm &vm, const Args &args) {
 	if (geometry == nullptr) {
 		return Flow::Next;
 	}
+	if (args.count() > 1) { // what is left out stands in the way all the same
+		context.record_occluder();
+	}
 	context.builder.clear();
 	if (distance <= 0.0) { // texture coordinates end at the outline
 		context.builder.begin(*geometry);

@@ -5,6 +5,7 @@
 #include "core/cga/components.h"
 #include "core/cga/operations/face_pieces.h"
 #include "core/cga/operations/operations.h"
+#include "core/cga/uv_edges.h"
 
 // setback(distance) { selector : body | .. | remainder : body } and its relatives (CGA reference, section 4.4).
 namespace pcg::cga {
@@ -15,10 +16,12 @@ constexpr uint32_t nobody = UINT32_MAX;
 
 class SetbackOperation {
 public:
-	SetbackOperation(Context &context, const Geometry &geometry, const Block &block)
-			: _context(context), _parent(context.shape), _entries(context.vm.entries(block)), _faces(flat_faces(geometry)) {
+	SetbackOperation(Context &context, const Geometry &geometry, const Block &block, double uv_set)
+			: _context(context), _parent(context.shape), _entries(context.vm.entries(block)), _geometry(&geometry), _faces(flat_faces(geometry)),
+			  _uv_set(uv_set >= 0.0 && uv_set < double(uv_set_count) ? size_t(uv_set) : uv_set_count) {
 		_edges = components_of(geometry, ComponentKind::FaceEdges);
 		drop_edges_of_flat_faces(geometry);
+		find_corners();
 		assign();
 	}
 
@@ -58,14 +61,34 @@ private:
 		std::erase_if(_edges, [&](const ComponentInfo &info) { return geometry.outline(geometry.faces[info.face]).size() < 3; });
 	}
 
+	void find_corners() {
+		for (const FlatFace &face : _faces) {
+			for (uint32_t l = face.face().first_loop; l < face.face().first_loop + face.face().loop_count; ++l) {
+				const uint32_t first = _geometry->first_point(l), end = _geometry->loop_ends[l];
+				for (uint32_t i = first; i < end; ++i) {
+					_corners.emplace_back(i, i + 1 < end ? i + 1 : first);
+				}
+			}
+		}
+	}
+
 	// Each edge goes to the first entry that selects it.
 	void assign() {
 		_entry_of.assign(_edges.size(), nobody);
+		for (const BlockEntry &entry : _entries) {
+			_uv_sides.push_back(entry.word != no_symbol ? uv_side_of(_context.vm.program().texts[entry.word].view) : UvSide::None);
+		}
 		for (uint32_t i = 0; i < _edges.size(); ++i) {
 			for (uint32_t e = 0; e < _entries.size() && _entry_of[i] == nobody; ++e) {
-				_entry_of[i] = selects(_entries[e], i) ? e : nobody;
+				const bool is_selected = _uv_sides[e] != UvSide::None ? selects_uv(_uv_sides[e], i) : selects(_entries[e], i);
+				_entry_of[i] = is_selected ? e : nobody;
 			}
 		}
+	}
+
+	bool selects_uv(UvSide side, uint32_t index) const {
+		const auto [from, to] = _corners[index];
+		return matches(side, *_geometry, _geometry->faces[_edges[index].face], from, to, _uv_set);
 	}
 
 	bool selects(const BlockEntry &entry, uint32_t index) {
@@ -131,8 +154,12 @@ private:
 	Context &_context;
 	Shape _parent;
 	std::span<const BlockEntry> _entries;
+	const Geometry *_geometry;
 	std::vector<FlatFace> _faces;
+	size_t _uv_set;
 	std::vector<ComponentInfo> _edges; // of all faces, in order
+	std::vector<std::pair<uint32_t, uint32_t>> _corners; // of each edge
+	std::vector<UvSide> _uv_sides; // that the entries select
 	std::vector<uint32_t> _entry_of;
 };
 
@@ -155,7 +182,7 @@ Flow setback(Vm &vm, const Args &args) {
 	if (geometry == nullptr || args.block == nullptr) {
 		return Flow::Next;
 	}
-	SetbackOperation operation(context, *geometry, *args.block);
+	SetbackOperation operation(context, *geometry, *args.block, args.number_or(1, 0.0));
 	return operation.run(distances_of(context, args[0], operation.edge_count(), 0.0));
 }
 
@@ -166,7 +193,7 @@ Flow setback_per_edge(Vm &vm, const Args &args) {
 	if (geometry == nullptr || args.block == nullptr) {
 		return Flow::Next;
 	}
-	SetbackOperation operation(context, *geometry, *args.block);
+	SetbackOperation operation(context, *geometry, *args.block, args.number_or(1, 0.0));
 	std::vector<double> distances;
 	for (uint32_t i = 0; i < operation.edge_count(); ++i) {
 		distances.push_back(setback_distance(context, context.evaluate_on(operation.edge(i), Chunk(args[0].chunk))));
@@ -208,8 +235,9 @@ Flow setback_to_area(Vm &vm, const Args &args) {
 	if (area <= 0.0) {
 		vm.warn("not-positive", "the area that a setback leaves must be above 0; nothing is set back");
 	}
-	SetbackOperation operation(context, *geometry, *args.block);
-	const auto bounds = [&](size_t i, double fallback) { // an argument that is no array is the uv set
+	const Value &last = args[args.count() - 1]; // an argument that is no array is the uv set
+	SetbackOperation operation(context, *geometry, *args.block, args.count() > 1 && last.is_number() ? last.number : 0.0);
+	const auto bounds = [&](size_t i, double fallback) {
 		const bool is_given = args.count() > i && args[i].type == ValueType::Array;
 		return distances_of(context, is_given ? args[i] : Value(), operation.edge_count(), fallback);
 	};

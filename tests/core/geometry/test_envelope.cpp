@@ -1,0 +1,100 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "core/base/random.h"
+#include "core/geometry/envelope.h"
+#include "core/geometry/polygon.h"
+#include "core/geometry/setback.h"
+
+using namespace pcg;
+
+namespace {
+
+using Kind = EnvelopeFace::Kind;
+
+glm::dvec3 vector_of(const EnvelopeFace &face) {
+	glm::dvec3 sum(0.0);
+	for (const auto &loop : face.loops) {
+		sum += 0.5 * area_vector(loop);
+	}
+	return sum;
+}
+
+// Of what looks up: the plan of everything but walls and bottom.
+double roof_plan(const Envelope &envelope) {
+	double sum = 0.0;
+	for (const EnvelopeFace &face : envelope.faces) {
+		sum += face.kind == Kind::Slope || face.kind == Kind::Top ? vector_of(face).z : 0.0;
+	}
+	return sum;
+}
+
+// A closed surface has vectors that cancel.
+double gap(const Envelope &envelope) {
+	glm::dvec3 sum(0.0);
+	for (const EnvelopeFace &face : envelope.faces) {
+		sum += vector_of(face);
+	}
+	return glm::length(sum);
+}
+
+Loops2 random_star(Random &random) {
+	const size_t count = 3 + random.index(8);
+	Loops2 polygon(1);
+	for (size_t i = 0; i < count; ++i) {
+		const double angle = (double(i) + random.uniform(0.0, 0.7)) * 6.283185307 / double(count), radius = random.uniform(8.0, 20.0);
+		polygon[0].push_back({ radius * std::cos(angle), radius * std::sin(angle) });
+	}
+	return polygon;
+}
+
+} // namespace
+
+TEST_CASE("without limits an envelope is a prism") {
+	const Loops2 square = { { { 0, 0 }, { 4, 0 }, { 4, 4 }, { 0, 4 } }, { { 1, 1 }, { 1, 2 }, { 2, 2 }, { 2, 1 } } };
+	const Envelope envelope = make_envelope(square, std::vector<EnvelopeSide>(8), 3.0);
+	CHECK(envelope.is_closed);
+	REQUIRE(envelope.faces.size() == 10);
+	CHECK(envelope.faces[0].kind == Kind::Bottom);
+	CHECK(envelope.faces[0].loops.size() == 2);
+	CHECK(envelope.faces.back().kind == Kind::Top);
+	CHECK(envelope.faces.back().loops.size() == 2);
+	CHECK(gap(envelope) < 1e-9);
+}
+
+TEST_CASE("over any polygon the planes and the top cover it, and the walls close the rest") {
+	int failures = 0, tried = 0;
+	for (uint64_t seed = 0; seed < 600; ++seed) {
+		Random random(seed, 55);
+		const Loops2 polygon = random_star(random);
+		if (area_of(polygon) < 20.0 || is_self_intersecting(polygon[0])) {
+			continue;
+		}
+		++tried;
+		std::vector<EnvelopeSide> sides;
+		for (size_t i = 0; i < polygon[0].size(); ++i) {
+			sides.push_back({ random.uniform(0.0, 8.0), random.chance(0.3) ? 90.0 : random.uniform(15.0, 85.0) });
+		}
+		const Envelope envelope = make_envelope(polygon, sides, random.uniform(4.0, 30.0));
+		const bool is_good = envelope.is_closed && std::abs(roof_plan(envelope) - area_of(polygon)) < 1e-5 * area_of(polygon) && gap(envelope) < 1e-4;
+		if (!is_good) {
+			MESSAGE("seed " << seed << ": closed " << envelope.is_closed << " plan " << roof_plan(envelope) << " of " << area_of(polygon) << " gap "
+							<< gap(envelope));
+			++failures;
+		}
+		for (const EnvelopeFace &face : envelope.faces) {
+			const glm::dvec3 normal = glm::normalize(vector_of(face));
+			CHECK((face.kind == Kind::Bottom ? normal.z < -0.999 : face.kind == Kind::Wall ? std::abs(normal.z) < 1e-4 : normal.z > 0.0));
+		}
+	}
+	CHECK(tried > 300);
+	CHECK(failures == 0);
+}
+
+TEST_CASE("an envelope over nothing or over a crossing outline is empty") {
+	CHECK(make_envelope({ { { 0, 0 }, { 4, 0 }, { 0, 4 }, { 4, 4 } } }, std::vector<EnvelopeSide>(4), 3.0).faces.empty());
+	CHECK(make_envelope({ { { 0, 0 }, { 4, 0 }, { 4, 4 } } }, std::vector<EnvelopeSide>(3), 0.0).faces.empty());
+}
