@@ -65,7 +65,8 @@ template <typename Function> double place_of_maximum(Range range, Function funct
 
 class Search {
 public:
-	explicit Search(const Loops2 &polygon) {
+	// Only rectangles of more than `least` square metres are looked for.
+	Search(const Loops2 &polygon, double least) : _best(least) {
 		make_slabs(polygon);
 		find_middle(polygon);
 	}
@@ -80,7 +81,7 @@ public:
 				}
 			}
 		}
-		if (_best <= 0.0) {
+		if (_high.x <= _low.x) {
 			return {};
 		}
 		return { _low, { _high.x, _low.y }, _high, { _low.x, _high.y } };
@@ -217,7 +218,7 @@ private:
 	glm::dvec2 _middle{ 0.0 };
 	double _size = 1.0;
 	bool _is_rough = true; // only between corners: a first best that rules out most of the rest
-	double _best = 0.0;
+	double _best;
 	glm::dvec2 _low{ 0.0 }, _high{ 0.0 };
 };
 
@@ -259,14 +260,15 @@ std::vector<glm::dvec2> edge_directions(const Loops2 &polygon) {
 } // namespace
 
 Loop2 largest_rectangle(const Loops2 &polygon) {
-	return Search(polygon).run();
+	return Search(polygon, 0.0).run();
 }
 
 Loop2 largest_rectangle_along_edges(const Loops2 &polygon) {
 	Loop2 best;
 	for (const glm::dvec2 &direction : edge_directions(polygon)) {
-		const Loop2 found = largest_rectangle(turned(polygon, { direction.x, -direction.y }));
-		if (!found.empty() && (best.empty() || signed_area(found) > signed_area(best) * (1.0 + 1e-9))) {
+		const double least = best.empty() ? 0.0 : 0.5 * signed_area(best) * (1.0 + 1e-9);
+		const Loop2 found = Search(turned(polygon, { direction.x, -direction.y }), least).run();
+		if (!found.empty()) {
 			best = turned({ found }, direction)[0];
 		}
 	}

@@ -102,7 +102,7 @@ Flow footprint(Vm &vm, const Args &) {
 	if (geometry == nullptr) {
 		return Flow::Next;
 	}
-	if (geometry->point_count > 60'000) {
+	if (geometry->point_count > 20'000) {
 		vm.warn("too-many-edges", "this geometry has too many edges for a footprint; it stays as it is", "reduce it first, or use the scope's base");
 		return Flow::Next;
 	}

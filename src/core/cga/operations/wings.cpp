@@ -125,7 +125,13 @@ Flow shape_o(Vm &vm, const Args &args) {
 
 // --- innerRectangle
 
-Loop2 rectangle_in(const FlatFace &face, bool is_along_edges) {
+constexpr uint32_t most_corners = 1000; // of a face in which a rectangle is looked for, which takes the square of that and more
+
+Loop2 rectangle_in(Context &context, const FlatFace &face, bool is_along_edges) {
+	if (face.edge_count() > most_corners) {
+		context.vm.warn("too-many-edges", "this face has too many edges to look for the largest rectangle in it", "simplify it first");
+		return {};
+	}
 	const Loop2 rectangle = is_along_edges ? largest_rectangle_along_edges(face.loops()) : largest_rectangle(face.loops());
 	return rectangle.empty() ? rectangle : begun_near(rectangle, face.loops()[0][0], face.loops()[0][1]);
 }
@@ -139,7 +145,7 @@ Flow inner_rectangle(Vm &vm, const Args &args) {
 	}
 	ShapeAndRest pieces{ flat_faces(*geometry, FlatFace::View::AlongAxis), {}, {} };
 	for (const FlatFace &face : pieces.faces) {
-		const Loop2 rectangle = rectangle_in(face, args[0].word == 1);
+		const Loop2 rectangle = rectangle_in(context, face, args[0].word == 1);
 		if (rectangle.empty()) {
 			pieces.rest.push_back({ &face, face.loops() });
 			continue;
@@ -160,7 +166,7 @@ Flow inner_rect(Vm &vm, const Args &) {
 	}
 	context.builder.begin(*geometry);
 	for (const FlatFace &face : flat_faces(*geometry, FlatFace::View::AlongAxis)) {
-		const Loop2 rectangle = rectangle_in(face, false);
+		const Loop2 rectangle = rectangle_in(context, face, false);
 		if (!rectangle.empty()) {
 			face.add(context.builder, rectangle);
 		}
