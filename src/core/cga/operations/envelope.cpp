@@ -62,6 +62,14 @@ EnvelopeSide side_at(Context &context, const EnvelopeArgs &args, const Component
 	return {};
 }
 
+std::vector<EnvelopeSide> sides_of(Context &context, const EnvelopeArgs &args, const std::vector<ComponentInfo> &edges, uint32_t first, uint32_t count) {
+	std::vector<EnvelopeSide> sides;
+	for (uint32_t i = first; i < first + count; ++i) {
+		sides.push_back(side_at(context, args, edges[i], i));
+	}
+	return sides;
+}
+
 // Into the plane across `frame`'s z; heights above it are given back.
 struct Ground {
 	Frame frame;
@@ -114,10 +122,7 @@ Flow build(Context &context, const EnvelopeArgs &args, bool is_world_up) {
 		const GeometryFace &face = geometry->faces[f];
 		const uint32_t count = geometry->face_point_count(face);
 		const glm::dvec3 normal = face_normal(*geometry, face);
-		std::vector<EnvelopeSide> sides;
-		for (uint32_t i = first; i < first + count; ++i) {
-			sides.push_back(side_at(context, args, edges[i], i));
-		}
+		const std::vector<EnvelopeSide> sides = sides_of(context, args, edges, first, count);
 		first += count;
 		if (geometry->outline(face).size() < 3) {
 			continue;
