@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <numeric>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "core/cga/edges.h"
 #include "core/geometry/polygon.h"
 
 namespace pcg::cga {
@@ -15,55 +17,18 @@ namespace pcg::cga {
 namespace {
 
 auto key_of(glm::dvec3 p) {
-	return std::tuple(p.x, p.y, p.z);
+	return FaceEdge::key_of(p);
 }
 
-// One edge of one face; `from` and `to` as the face runs.
-struct FaceEdge {
-	glm::dvec3 from, to;
-	uint32_t face;
-	uint32_t order; // among all edges
-
-	auto low() const { return std::min(key_of(from), key_of(to)); }
-	auto high() const { return std::max(key_of(from), key_of(to)); }
-	auto key() const { return std::pair(low(), high()); }
-};
-
-std::vector<FaceEdge> face_edges(const Geometry &geometry) {
-	std::vector<FaceEdge> edges;
-	for (uint32_t f = 0; f < geometry.face_count; ++f) {
-		const GeometryFace &face = geometry.faces[f];
-		for (uint32_t l = 0; l < face.loop_count; ++l) {
-			const auto loop = geometry.loop(face.first_loop + l);
-			for (size_t i = 0; i < loop.size(); ++i) {
-				edges.push_back({ loop[i], loop[(i + 1) % loop.size()], f, uint32_t(edges.size()) });
-			}
-		}
-	}
-	return edges;
-}
-
-// Edges with equal ends side by side, each group in its original order.
-std::vector<FaceEdge> grouped(std::vector<FaceEdge> edges) {
-	std::ranges::stable_sort(edges, {}, &FaceEdge::key);
-	return edges;
-}
-
-template <typename Use> void for_each_group(const std::vector<FaceEdge> &edges, Use use) {
-	for (size_t i = 0; i < edges.size();) {
-		size_t end = i + 1;
-		while (end < edges.size() && edges[end].key() == edges[i].key()) {
-			++end;
-		}
-		use(std::span(edges).subspan(i, end - i));
-		i = end;
-	}
+// Edges and points look along z of their scope.
+glm::dvec3 component_normal(const Geometry &geometry, const GeometryFace &face) {
+	return geometry.outline(face).size() >= 3 ? face_normal(geometry, face) : glm::dvec3(0.0, 0.0, 1.0);
 }
 
 std::vector<glm::dvec3> face_normals(const Geometry &geometry) {
 	std::vector<glm::dvec3> normals;
 	for (uint32_t i = 0; i < geometry.face_count; ++i) {
-		normals.push_back(face_normal(geometry, geometry.faces[i]));
+		normals.push_back(component_normal(geometry, geometry.faces[i]));
 	}
 	return normals;
 }
@@ -73,12 +38,12 @@ std::vector<ComponentInfo> all_faces(const Geometry &geometry) {
 	bool needs_borders = false;
 	for (uint32_t i = 0; i < geometry.face_count; ++i) {
 		result[i].face = i;
-		result[i].component.normal = face_normal(geometry, geometry.faces[i]);
+		result[i].component.normal = component_normal(geometry, geometry.faces[i]);
 		result[i].component.is_border = geometry.faces[i].tag == FaceTag::Border;
 		needs_borders |= geometry.faces[i].tag == FaceTag::None && !geometry.is_closed;
 	}
 	if (needs_borders) {
-		for_each_group(grouped(face_edges(geometry)), [&](std::span<const FaceEdge> group) {
+		for_each_edge_group(grouped_edges(geometry), [&](std::span<const FaceEdge> group) {
 			if (group.size() == 1 && geometry.faces[group[0].face].tag == FaceTag::None) {
 				result[group[0].face].component.is_border = true;
 			}
@@ -95,12 +60,17 @@ glm::dvec3 unit(glm::dvec3 vector, glm::dvec3 fallback) {
 std::vector<ComponentInfo> shared_edges(const Geometry &geometry) {
 	const std::vector<glm::dvec3> normals = face_normals(geometry);
 	std::vector<std::pair<uint32_t, ComponentInfo>> found;
-	for_each_group(grouped(face_edges(geometry)), [&](std::span<const FaceEdge> group) {
+	for_each_edge_group(grouped_edges(geometry), [&](std::span<const FaceEdge> group) {
 		glm::dvec3 sum(0.0);
 		for (const FaceEdge &edge : group) {
 			sum += normals[edge.face];
 		}
-		found.push_back({ group[0].order, { { unit(sum, normals[group[0].face]), group.size() == 1 }, group[0].face, group[0].from, group[0].to } });
+		ComponentInfo info;
+		info.component = { unit(sum, normals[group[0].face]), group.size() == 1 };
+		info.face = group[0].face;
+		info.from = group[0].from;
+		info.to = group[0].to;
+		found.push_back({ group[0].order, std::move(info) });
 	});
 	std::ranges::sort(found, {}, [](const auto &pair) { return pair.first; });
 	std::vector<ComponentInfo> result;
@@ -113,31 +83,103 @@ std::vector<ComponentInfo> shared_edges(const Geometry &geometry) {
 std::vector<ComponentInfo> edges_by_face(const Geometry &geometry) {
 	std::vector<ComponentInfo> result;
 	for (const FaceEdge &edge : face_edges(geometry)) {
-		const glm::dvec3 normal = face_normal(geometry, geometry.faces[edge.face]);
-		const glm::dvec3 outwards = unit(glm::cross(edge.to - edge.from, normal), normal);
-		result.push_back({ { outwards, true }, edge.face, edge.from, edge.to });
+		const glm::dvec3 normal = component_normal(geometry, geometry.faces[edge.face]);
+		ComponentInfo info;
+		info.component = { unit(glm::cross(edge.to - edge.from, normal), normal), true };
+		info.face = edge.face;
+		info.from = edge.from;
+		info.to = edge.to;
+		result.push_back(std::move(info));
 	}
 	return result;
 }
 
-std::vector<ComponentInfo> vertices(const Geometry &geometry) {
+// Corners face by face, in the order of the loops.
+std::vector<ComponentInfo> corners(const Geometry &geometry) {
 	const std::vector<glm::dvec3> normals = face_normals(geometry);
-	std::vector<FaceEdge> edges = face_edges(geometry); // each corner is the start of one
-	std::ranges::stable_sort(edges, {}, [](const FaceEdge &edge) { return key_of(edge.from); });
-	std::vector<std::pair<uint32_t, ComponentInfo>> found;
-	for (size_t i = 0; i < edges.size();) {
-		glm::dvec3 sum(0.0);
-		const size_t first = i;
-		for (; i < edges.size() && edges[i].from == edges[first].from; ++i) {
-			sum += normals[edges[i].face];
-		}
-		const glm::dvec3 normal = unit(sum, normals[edges[first].face]);
-		found.push_back({ edges[first].order, { { normal, !geometry.is_closed }, edges[first].face, edges[first].from, edges[first].from } });
-	}
-	std::ranges::sort(found, {}, [](const auto &pair) { return pair.first; });
 	std::vector<ComponentInfo> result;
-	for (const auto &[order, info] : found) {
-		result.push_back(info);
+	for (uint32_t f = 0; f < geometry.face_count; ++f) {
+		const GeometryFace &face = geometry.faces[f];
+		for (uint32_t l = face.first_loop; l < face.first_loop + face.loop_count; ++l) {
+			for (const glm::dvec3 &point : geometry.loop(l)) {
+				ComponentInfo info;
+				info.component = { normals[f], false };
+				info.face = f;
+				info.from = info.to = point;
+				result.push_back(std::move(info));
+			}
+		}
+	}
+	return result;
+}
+
+using PointKey = decltype(FaceEdge::key_of(glm::dvec3()));
+
+// Ends of edges with one face, sorted.
+std::vector<PointKey> border_points(const Geometry &geometry) {
+	std::vector<PointKey> points;
+	for_each_edge_group(grouped_edges(geometry), [&](std::span<const FaceEdge> group) {
+		if (group.size() == 1) {
+			points.push_back(key_of(group[0].from));
+			points.push_back(key_of(group[0].to));
+		}
+	});
+	std::ranges::sort(points);
+	return points;
+}
+
+// Equal corners are one vertex; it faces as the sum of its corners does.
+std::vector<ComponentInfo> vertices(const Geometry &geometry) {
+	std::vector<ComponentInfo> all = corners(geometry);
+	std::vector<uint32_t> order(all.size());
+	std::iota(order.begin(), order.end(), 0);
+	std::ranges::stable_sort(order, {}, [&](uint32_t i) { return key_of(all[i].from); });
+	const std::vector<PointKey> border = border_points(geometry);
+	std::vector<uint32_t> kept;
+	for (size_t i = 0; i < order.size();) {
+		ComponentInfo &vertex = all[order[i]];
+		glm::dvec3 sum(0.0);
+		for (; i < order.size() && all[order[i]].from == vertex.from; ++i) {
+			sum += all[order[i]].component.normal;
+		}
+		vertex.component = { unit(sum, vertex.component.normal), std::ranges::binary_search(border, key_of(vertex.from)) };
+		kept.push_back(uint32_t(&vertex - all.data()));
+	}
+	std::ranges::sort(kept);
+	std::vector<ComponentInfo> result;
+	for (const uint32_t index : kept) {
+		result.push_back(std::move(all[index]));
+	}
+	return result;
+}
+
+// Sets of faces: all of them, or those of each material.
+std::vector<ComponentInfo> face_sets(const Geometry &geometry, bool is_by_material) {
+	const std::vector<ComponentInfo> faces = all_faces(geometry);
+	std::vector<ComponentInfo> result;
+	for (uint32_t f = 0; f < geometry.face_count; ++f) {
+		const auto has_material = [&](const ComponentInfo &set) { return !is_by_material || geometry.faces[set.face].material == geometry.faces[f].material; };
+		auto found = std::ranges::find_if(result, has_material);
+		if (found == result.end()) {
+			result.push_back(faces[f]);
+			found = result.end() - 1;
+		}
+		found->faces.push_back(f);
+	}
+	return result;
+}
+
+std::vector<ComponentInfo> holes(const Geometry &geometry) {
+	std::vector<ComponentInfo> result;
+	for (uint32_t f = 0; f < geometry.face_count; ++f) {
+		const GeometryFace &face = geometry.faces[f];
+		for (uint32_t l = face.first_loop + 1; l < face.first_loop + face.loop_count; ++l) {
+			ComponentInfo info;
+			info.component = { face_normal(geometry, face), false };
+			info.face = f;
+			info.loop = l;
+			result.push_back(std::move(info));
+		}
 	}
 	return result;
 }
@@ -171,6 +213,13 @@ std::vector<ComponentInfo> components_of(const Geometry &geometry, ComponentKind
 			return vertices(geometry);
 		case ComponentKind::FaceEdges:
 			return edges_by_face(geometry);
+		case ComponentKind::FaceVertices:
+			return corners(geometry);
+		case ComponentKind::Groups:
+		case ComponentKind::Materials:
+			return face_sets(geometry, kind == ComponentKind::Materials);
+		case ComponentKind::Holes:
+			return holes(geometry);
 		default:
 			return all_faces(geometry);
 	}
@@ -195,17 +244,48 @@ Shape face_shape(const Shape &parent, const Geometry &geometry, std::span<const 
 	return shape;
 }
 
-Shape edge_shape(const Shape &parent, const ComponentInfo &info, Arena &arena) {
+Shape edge_shape(const Shape &parent, std::span<const ComponentInfo *const> infos, bool keeps_axes, bool is_roof_edge, GeometryBuilder &builder, Arena &arena) {
 	Shape shape = parent;
-	const Frame frame = { axes_from_z(info.component.normal, info.to - info.from), info.from };
-	set_pivot(shape, parent, frame, arena);
-	GeometryBuilder builder;
-	builder.add_point(glm::dvec3(0.0));
-	if (info.from != info.to) {
-		builder.add_point({ glm::distance(info.from, info.to), 0.0, 0.0 });
+	Frame frame;
+	const auto from = [&](const ComponentInfo &info) { return is_roof_edge && info.runs_back ? info.to : info.from; };
+	const auto to = [&](const ComponentInfo &info) { return is_roof_edge && info.runs_back ? info.from : info.to; };
+	const ComponentInfo &first = *infos[0];
+	if (!keeps_axes) {
+		frame = { axes_from_z(first.component.normal, to(first) - from(first)), from(first) };
+		set_pivot(shape, parent, frame, arena);
 	}
-	builder.end_loop(1);
-	builder.end_face();
+	builder.clear();
+	for (const ComponentInfo *info : infos) {
+		builder.add_point(frame.to_local(from(*info)));
+		if (info->from != info->to) {
+			const bool is_first = info == &first && !keeps_axes; // lies exactly on x
+			builder.add_point(is_first ? glm::dvec3(glm::distance(info->from, info->to), 0.0, 0.0) : frame.to_local(to(*info)));
+		}
+		builder.end_loop(1);
+		builder.end_face();
+	}
+	set_geometry(shape, builder.finish(arena, false));
+	return shape;
+}
+
+Shape hole_shape(const Shape &parent, const Geometry &geometry, std::span<const ComponentInfo *const> holes, bool keeps_axes, GeometryBuilder &builder,
+		Arena &arena) {
+	Shape shape = parent;
+	const auto first = geometry.loop(holes[0]->loop);
+	Frame frame;
+	if (!keeps_axes) {
+		frame = { axes_from_z(holes[0]->component.normal, first[0] - first[1]), first[1] };
+		set_pivot(shape, parent, frame, arena);
+	}
+	builder.clear();
+	for (const ComponentInfo *hole : holes) {
+		const auto loop = geometry.loop(hole->loop);
+		for (size_t i = 0; i < loop.size(); ++i) { // the other way around, its first edge first
+			builder.add_point(frame.to_local(loop[(loop.size() + 1 - i) % loop.size()]));
+		}
+		builder.end_loop();
+		builder.end_face();
+	}
 	set_geometry(shape, builder.finish(arena, false));
 	return shape;
 }
@@ -215,10 +295,10 @@ std::vector<uint32_t> connected_sets(const Geometry &geometry, std::span<const u
 	for (const uint32_t face : faces) {
 		set_of[face] = face;
 	}
-	const std::vector<FaceEdge> edges = grouped(face_edges(geometry));
+	const std::vector<FaceEdge> edges = grouped_edges(geometry);
 	for (bool has_changed = true; has_changed;) { // the smallest number spreads over shared edges
 		has_changed = false;
-		for_each_group(edges, [&](std::span<const FaceEdge> group) {
+		for_each_edge_group(edges, [&](std::span<const FaceEdge> group) {
 			uint32_t least = UINT32_MAX;
 			for (const FaceEdge &edge : group) {
 				least = std::min(least, set_of[edge.face]);

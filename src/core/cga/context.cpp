@@ -134,7 +134,7 @@ void Context::set_overrides() {
 	}
 }
 
-RuleId Context::start_rule() {
+RuleId Context::find_start_rule() const {
 	const std::string &wanted = _initial_shape->start_rule;
 	RuleId rule = wanted.empty() ? _program.start_rule : _program.find_rule(wanted);
 	if (!is_valid(rule) && wanted.empty()) {
@@ -144,6 +144,17 @@ RuleId Context::start_rule() {
 			rule = info.params.empty() && !info.is_leaf_symbol ? RuleId(i) : rule;
 		}
 	}
+	return rule;
+}
+
+std::string_view Context::start_rule_name() const {
+	const RuleId rule = find_start_rule();
+	return is_valid(rule) ? std::string_view(_program.rules[index_of(rule)].name) : std::string_view(_initial_shape->start_rule);
+}
+
+RuleId Context::start_rule() {
+	const std::string &wanted = _initial_shape->start_rule;
+	const RuleId rule = find_start_rule();
 	if (!is_valid(rule)) {
 		model.result().diagnostics.error("unknown-start-rule",
 				wanted.empty() ? std::string("the rule set has no rule to start with") : "there is no rule \"" + wanted + "\" without parameters to start with",
@@ -315,6 +326,14 @@ Value Context::evaluate_on(const Shape &other, Chunk chunk) {
 	make_current(other);
 	const Value value = vm.evaluate(chunk);
 	make_current(outer);
+	return value;
+}
+
+Value Context::evaluate_selected(const Shape &child, Selection selection, Chunk chunk) {
+	const Selection outer = _selection;
+	_selection = selection;
+	const Value value = evaluate_on(child, chunk);
+	_selection = outer;
 	return value;
 }
 

@@ -44,16 +44,26 @@ public:
 	TextureFiles texture_files;
 	const Lot &lot() const { return _lot; }
 	const InitialShape &initial_shape() const { return *_initial_shape; }
+	std::string_view start_rule_name() const;
 	const DeriveLimits &limits() const { return _options.limits; }
 	const DeriveOptions &options() const { return _options; }
 	// As it was when the running body or bracket began (CGA reference: op_center).
 	const Shape &saved_shape() const { return _saved.back(); }
 	Selector selector(uint32_t symbol) const { return _selectors[symbol]; }
+	// The component that a selector's expression is asked about, and the shape that it is part of; nullptr at other times.
+	struct Selection {
+		const Component *component = nullptr;
+		const Shape *whole = nullptr;
+	};
+	const Selection &selection() const { return _selection; }
+	bool selects(Selector selector) const { return matches(selector, *_selection.component, *_selection.whole, _lot); }
 	bool is_paper_rule() const; // the running rule was written with `->`
 
 	// Runs a body on a shape of its own, which is a leaf if the body makes nothing of it. Afterwards the current shape is as before.
 	Flow run_child(const Shape &child, Chunk body);
 	Value evaluate_on(const Shape &other, Chunk chunk);
+	// Of a selector's expression: words such as `top` in it ask for the component.
+	Value evaluate_selected(const Shape &child, Selection selection, Chunk chunk);
 	// The current shape gets a successor: it is no leaf itself.
 	void mark_replaced() { _body.is_replaced = true; }
 	// The current shape, as queries of other shapes may find it: before operations that take a body apart, and for label().
@@ -102,6 +112,7 @@ private:
 	void run_pass(const InitialShape &initial_shape);
 	void begin(const InitialShape &initial_shape, const Neighbors &neighbors);
 	bool set_up(const InitialShape &initial_shape);
+	RuleId find_start_rule() const;
 	RuleId start_rule();
 	void set_overrides();
 	void run_rules(RuleId start);
@@ -121,6 +132,7 @@ private:
 	std::vector<Pending> _stack; // last first
 	std::vector<Pending> _children; // of the running rule, in order
 	std::vector<Selector> _selectors; // by symbol
+	Selection _selection;
 	std::vector<std::string_view> _object_tags; // by rule; empty: no object
 	Look _default_look;
 	ContextUse _context_use;

@@ -19,6 +19,7 @@ Dialect make_dialect() {
 	add_uv_functions(dialect);
 	add_variables(dialect);
 	add_transform_operations(dialect);
+	add_frame_operations(dialect);
 	add_split_operations(dialect);
 	add_split_area_operations(dialect);
 	add_perimeter_operations(dialect);

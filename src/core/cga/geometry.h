@@ -47,6 +47,7 @@ struct Geometry {
 	bool is_closed = false; // the surface of a volume: cuts are capped
 	// One rectangle or one box that fills its bounds, without corner data: a cut of it is the same geometry, scaled.
 	bool is_block = false;
+	bool is_instance = false; // an asset as it was inserted
 
 	uint32_t first_point(uint32_t loop) const { return loop == 0 ? 0 : loop_ends[loop - 1]; }
 	std::span<const glm::dvec3> loop(uint32_t index) const {

@@ -1,10 +1,13 @@
 #include "core/cga/measure.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/cga/edges.h"
 #include "core/geometry/polygon.h"
 
 namespace pcg::cga {
@@ -57,7 +60,7 @@ double surface_area(const Shape &shape) {
 
 double volume(const Shape &shape) {
 	double sum = 0.0;
-	if (shape.geometry == nullptr || !shape.geometry->is_closed) {
+	if (!is_closed_surface(shape)) {
 		return 0.0;
 	}
 	for_each_face(shape, [&](const GeometryFace &face) {
@@ -69,15 +72,30 @@ double volume(const Shape &shape) {
 	return std::abs(sum);
 }
 
+double face_count(const Shape &shape) {
+	double count = 0.0;
+	for_each_face(shape, [&](const GeometryFace &face) { count += shape.geometry->outline(face).size() >= 3 ? 1.0 : 0.0; });
+	return count;
+}
+
 double boundary_length(const Shape &shape) {
 	double sum = 0.0;
-	for (uint32_t i = 0; shape.geometry != nullptr && i < shape.geometry->loop_count; ++i) {
-		const auto loop = scaled_loop(shape, i);
-		for (size_t k = 0; k < loop.size(); ++k) {
-			sum += glm::distance(loop[k], loop[(k + 1) % loop.size()]);
-		}
+	if (shape.geometry == nullptr || shape.geometry->is_closed) {
+		return sum;
 	}
+	for_each_edge_group(grouped_edges(*shape.geometry), [&](std::span<const FaceEdge> group) {
+		sum += group.size() == 1 ? glm::distance(shape.to_scope(group[0].from), shape.to_scope(group[0].to)) : 0.0;
+	});
 	return sum;
+}
+
+bool is_closed_surface(const Shape &shape) {
+	if (shape.geometry == nullptr || shape.geometry->is_closed) {
+		return shape.geometry != nullptr;
+	}
+	bool result = true;
+	for_each_edge_group(grouped_edges(*shape.geometry), [&](std::span<const FaceEdge> group) { result &= group.size() == 2; });
+	return result;
 }
 
 bool is_concave(const Shape &shape) {
@@ -102,16 +120,51 @@ bool is_rectangular(const Shape &shape, double tolerance_deg) {
 	return result;
 }
 
-bool is_planar(const Shape &shape, double tolerance) {
+bool is_planar(const Shape &shape, double tolerance_deg) {
 	bool result = shape.geometry != nullptr;
+	const double sine = std::sin(glm::clamp(tolerance_deg, 0.0, 90.0) * 0.017453292519943295) + 1e-7;
 	for_each_face(shape, [&](const GeometryFace &face) {
 		const auto loop = scaled_loop(shape, face.first_loop);
 		const glm::dvec3 normal = loop_normal(loop);
-		for (const glm::dvec3 &point : loop) {
-			result &= std::abs(glm::dot(point - loop[0], normal)) <= tolerance + 1e-9;
+		for (size_t i = 0; i < loop.size(); ++i) {
+			const glm::dvec3 next = loop[(i + 1) % loop.size()];
+			const glm::dvec3 local = glm::cross(next - loop[i], loop[(i + 2) % loop.size()] - next);
+			result &= glm::length(glm::cross(local, normal)) <= sine * glm::length(local) || glm::length(local) < 1e-12;
 		}
+		result &= loop.size() >= 3;
 	});
 	return result;
+}
+
+std::pair<double, double> vertical_extent(const Shape &shape) {
+	if (shape.geometry == nullptr) {
+		return { 0.0, 0.0 };
+	}
+	const Frame frame = shape.frame();
+	double low = INFINITY, high = -INFINITY;
+	for (uint32_t i = 0; i < shape.geometry->point_count; ++i) {
+		const double y = frame.to_parent(shape.to_scope(shape.geometry->points[i])).y;
+		low = std::min(low, y);
+		high = std::max(high, y);
+	}
+	return { low, high };
+}
+
+SlopeAngles steepest_slope(const Shape &shape) {
+	constexpr double degrees = 57.29577951308232;
+	SlopeAngles best{ -1.0, 0.0 };
+	const glm::dmat3 axes = shape.frame().axes;
+	for_each_face(shape, [&](const GeometryFace &face) {
+		const auto loop = scaled_loop(shape, face.first_loop);
+		const glm::dvec3 normal = axes * loop_normal(loop, { 0.0, 0.0, 1.0 }); // edges and points look along z
+		const double level = std::sqrt(normal.x * normal.x + normal.z * normal.z);
+		const double slope = std::atan2(level, std::abs(normal.y)) * degrees;
+		if (slope > best.slope + 1e-6) {
+			const double azimuth = level > 1e-9 ? std::atan2(normal.x, -normal.z) * degrees : 0.0;
+			best = { slope, azimuth < 0.0 ? azimuth + 360.0 : azimuth };
+		}
+	});
+	return { std::max(best.slope, 0.0), best.azimuth >= 360.0 ? 0.0 : best.azimuth };
 }
 
 } // namespace pcg::cga

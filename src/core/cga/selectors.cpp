@@ -13,7 +13,7 @@ namespace {
 
 using enum SelectorKind;
 
-constexpr std::array<std::pair<std::string_view, SelectorKind>, 14> plain_words = { {
+constexpr std::array<std::pair<std::string_view, SelectorKind>, 19> plain_words = { {
 		{ "all", All },
 		{ "front", Front },
 		{ "back", Back },
@@ -28,6 +28,11 @@ constexpr std::array<std::pair<std::string_view, SelectorKind>, 14> plain_words 
 		{ "nutant", Nutant },
 		{ "border", Border },
 		{ "inside", Inside },
+		{ "surface", All }, // of geometry.area
+		{ "eave", Eave },
+		{ "hip", Hip },
+		{ "valley", Valley },
+		{ "ridge", Ridge },
 } };
 
 constexpr std::array<std::pair<std::string_view, SelectorKind>, 7> world_words = { {
@@ -97,6 +102,9 @@ Selector selector_of(std::string_view word) {
 	if (word == "streetSide") { // of old files
 		return { Front, SelectorSystem::Street };
 	}
+	if (word == "noStreetSide") {
+		return { NotFront, SelectorSystem::Street };
+	}
 	const size_t dot = word.find('.');
 	if (dot == std::string_view::npos) {
 		return { find(plain_words, word), SelectorSystem::Scope };
@@ -113,6 +121,14 @@ Selector selector_of(std::string_view word) {
 	return {};
 }
 
+std::span<const std::string_view> selector_words() {
+	static constexpr std::string_view words[] = { "all", "front", "back", "left", "right", "top", "bottom", "side", "vertical", "aslant", "horizontal", "nutant",
+		"border", "inside", "eave", "hip", "valley", "ridge", "streetSide", "noStreetSide", "object.front", "object.back", "object.left", "object.right",
+		"object.top", "object.bottom", "object.side", "street.front", "street.back", "street.left", "street.right", "street.side", "world.south",
+		"world.north", "world.west", "world.east", "world.up", "world.down", "world.side" };
+	return words;
+}
+
 bool matches(Selector selector, const Component &component, const Shape &shape, const Lot &lot) {
 	switch (selector.kind) {
 		case Unknown:
@@ -123,6 +139,13 @@ bool matches(Selector selector, const Component &component, const Shape &shape, 
 			return component.is_border;
 		case Inside:
 			return !component.is_border;
+		case Eave:
+		case Hip:
+		case Valley:
+		case Ridge:
+			return component.roof_edge == selector.kind;
+		case NotFront:
+			return side_of(in_system(component.normal, selector.system, shape, lot)) != Front;
 		case Vertical:
 		case Aslant:
 		case Nutant:

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 #include <glm/vec3.hpp>
@@ -26,6 +27,11 @@ enum class SelectorKind : uint8_t {
 	Nutant,
 	Border,
 	Inside,
+	Eave,
+	Hip,
+	Valley,
+	Ridge,
+	NotFront, // noStreetSide of old files
 };
 
 enum class SelectorSystem : uint8_t { Scope, Object, World, Street };
@@ -38,11 +44,20 @@ struct Selector {
 // Unknown for words that select nothing.
 Selector selector_of(std::string_view word);
 
+// Unknown: not an edge, or none that roofs have names for.
+inline bool is_roof_edge(SelectorKind kind) {
+	return kind >= SelectorKind::Eave && kind <= SelectorKind::Ridge;
+}
+
 // A face, edge or vertex as selectors see it.
 struct Component {
 	glm::dvec3 normal{ 0.0 }; // direction that it faces, in scope coordinates, unit
 	bool is_border = false;
+	SelectorKind roof_edge = SelectorKind::Unknown; // Eave, Hip, Valley or Ridge
 };
+
+// All plain words and those of the systems, for rules that use them within expressions.
+std::span<const std::string_view> selector_words();
 
 bool matches(Selector selector, const Component &component, const Shape &shape, const Lot &lot);
 

@@ -1,5 +1,7 @@
 #include "core/cga/shape.h"
 
+#include <cmath>
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -49,6 +51,10 @@ void refit(Shape &shape) {
 	const auto is_negative = glm::lessThan(shape.size, glm::dvec3(0.0));
 	const glm::dvec3 origin = glm::mix(low, high, is_negative);
 	shape.size = glm::mix(high, low, is_negative) - origin;
+	const double thin = 1e-9 * (std::abs(shape.size.x) + std::abs(shape.size.y) + std::abs(shape.size.z));
+	for (int axis = 0; axis < 3; ++axis) { // what is flat has the size 0, which i() asks for
+		shape.size[axis] = std::abs(shape.size[axis]) <= thin ? 0.0 : shape.size[axis];
+	}
 	shape.geometry_offset -= origin;
 	shape.position += shape.rotation * origin;
 }

@@ -61,7 +61,8 @@ struct Shape {
 	uint32_t depth = 0;
 	uint32_t split_index = 0, split_total = 0;
 	uint32_t comp_index = 0, comp_total = 0;
-	uint32_t comp_selector = no_symbol; // in Program::texts
+	uint32_t comp_selector = no_symbol; // in Program::texts; no_symbol: what is written at comp_entry
+	uint32_t comp_entry = no_symbol; // in Program::entries
 	const TrimSource *trim = nullptr;
 	uint32_t trim_face = 0;
 	bool trims_vertically = true, trims_horizontally = false; // trim.vertical, trim.horizontal

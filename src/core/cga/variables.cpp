@@ -58,6 +58,24 @@ Frame pivot_in_object(Vm &vm) {
 }
 template <int axis> Value read_pivot(Vm &vm) { return Value::of(pivot_in_object(vm).origin[axis]); }
 template <int axis> Value read_pivot_turn(Vm &vm) { return Value::of(euler_from_rotation(pivot_in_object(vm).axes)[axis]); }
+void set_pivot(Context &context, const Frame &in_object) {
+	context.shape.pivot = context.arena.make(Frame{ context.lot().object_axes, glm::dvec3(0.0) } * in_object);
+}
+template <int axis> bool write_pivot(Context &context, double value) {
+	Frame pivot = pivot_in_object(context.vm);
+	pivot.origin[axis] = value;
+	set_pivot(context, pivot);
+	return true;
+}
+template <int axis> bool write_pivot_turn(Context &context, double value) {
+	Frame pivot = pivot_in_object(context.vm);
+	glm::dvec3 angles = euler_from_rotation(pivot.axes);
+	angles[axis] = value;
+	pivot.axes = rotation_from_euler(angles);
+	set_pivot(context, pivot);
+	return true;
+}
+template <int axis> Value read_origin_turn(Vm &vm) { return Value::of(euler_from_rotation(Context::of(vm).lot().object_axes)[axis]); }
 template <int axis> Value read_origin(Vm &vm) { return Value::of(Context::of(vm).lot().origin[axis]); }
 
 template <bool Shape::*member> Value read_flag(Vm &vm) { return Value::of(shape_of(vm).*member); }
@@ -68,16 +86,38 @@ template <bool Shape::*member> bool write_flag(Context &context, double value) {
 
 template <uint32_t Shape::*member> Value read_index(Vm &vm) { return Value::of(double(shape_of(vm).*member)); }
 
+// The expression in front of an entry's separator, as far as it stands on one line.
+std::string_view selector_text(const Program &program, const BlockEntry &entry) {
+	if (entry.place.file >= program.sources.size() || entry.place.column == 0) {
+		return {};
+	}
+	std::string_view text = program.sources[entry.place.file]->line(entry.place.line);
+	text.remove_prefix(std::min<size_t>(entry.place.column - 1, text.size()));
+	const auto is_comparison = [&](size_t i) { return text[i] == '=' && ((i + 1 < text.size() && text[i + 1] == '=') || (i > 0 && std::string_view("=<>!").find(text[i - 1]) != std::string_view::npos)); };
+	size_t end = 0;
+	for (bool is_quoted = false; end < text.size(); ++end) {
+		is_quoted ^= text[end] == '"';
+		if (!is_quoted && (text[end] == ':' || (text[end] == '=' && !is_comparison(end)))) {
+			break;
+		}
+	}
+	text = text.substr(0, end);
+	return text.substr(0, text.find_last_not_of(" \t") + 1);
+}
+
 Value read_selector(Vm &vm) {
-	const uint32_t symbol = shape_of(vm).comp_selector;
-	return Value::of(symbol == no_symbol ? vm.make_text("") : &vm.program().texts[symbol]);
+	const Shape &shape = shape_of(vm);
+	if (shape.comp_selector != no_symbol) {
+		return Value::of(&vm.program().texts[shape.comp_selector]);
+	}
+	return Value::of(vm.make_text(shape.comp_entry != no_symbol ? selector_text(vm.program(), vm.program().entries[shape.comp_entry]) : ""));
 }
 Value read_elevation(Vm &vm) {
 	const Context &context = Context::of(vm);
 	return Value::of(context.shape.frame().origin.y + context.lot().origin.y);
 }
 Value read_name(Vm &vm) { return Value::of(vm.make_text(Context::of(vm).initial_shape().name)); }
-Value read_start_rule(Vm &vm) { return Value::of(vm.make_text(Context::of(vm).initial_shape().start_rule)); }
+Value read_start_rule(Vm &vm) { return Value::of(vm.make_text(Context::of(vm).start_rule_name())); }
 // As a number that fits a double exactly. Small whole numbers are seeds themselves, so that what was set is read again.
 constexpr uint64_t small_seeds = uint64_t(1) << 31;
 Value read_seed(Vm &vm) {
@@ -104,17 +144,21 @@ constexpr Row rows[] = {
 	{ "scope.sy", number, read_size<1>, write_size<1>, "Size of the scope, metres." },
 	{ "scope.sz", number, read_size<2>, write_size<2>, "Size of the scope, metres." },
 	{ "scope.elevation", number, read_elevation, nullptr, "Height of the scope's origin in the world, metres." },
-	{ "pivot.px", number, read_pivot<0>, nullptr, "Place of the pivot in the object's system, metres." },
-	{ "pivot.py", number, read_pivot<1>, nullptr, "Place of the pivot in the object's system, metres." },
-	{ "pivot.pz", number, read_pivot<2>, nullptr, "Place of the pivot in the object's system, metres." },
-	{ "pivot.ox", number, read_pivot_turn<0>, nullptr, "Turn of the pivot in the object's system, degrees." },
-	{ "pivot.oy", number, read_pivot_turn<1>, nullptr, "Turn of the pivot in the object's system, degrees." },
-	{ "pivot.oz", number, read_pivot_turn<2>, nullptr, "Turn of the pivot in the object's system, degrees." },
+	{ "pivot.px", number, read_pivot<0>, write_pivot<0>, "Place of the pivot in the object's system, metres." },
+	{ "pivot.py", number, read_pivot<1>, write_pivot<1>, "Place of the pivot in the object's system, metres." },
+	{ "pivot.pz", number, read_pivot<2>, write_pivot<2>, "Place of the pivot in the object's system, metres." },
+	{ "pivot.ox", number, read_pivot_turn<0>, write_pivot_turn<0>, "Turn of the pivot in the object's system, degrees." },
+	{ "pivot.oy", number, read_pivot_turn<1>, write_pivot_turn<1>, "Turn of the pivot in the object's system, degrees." },
+	{ "pivot.oz", number, read_pivot_turn<2>, write_pivot_turn<2>, "Turn of the pivot in the object's system, degrees." },
 	{ "initialShape.name", text, read_name, nullptr, "Name of the lot." },
-	{ "initialShape.startRule", text, read_start_rule, nullptr, "The rule that the host asked for; empty for the file's own." },
+	{ "initialShape.startRule", text, read_start_rule, nullptr, "The rule that the derivation began with." },
 	{ "initialShape.origin.px", number, read_origin<0>, nullptr, "Place of the object's system in the world, metres." },
 	{ "initialShape.origin.py", number, read_origin<1>, nullptr, "Place of the object's system in the world, metres." },
 	{ "initialShape.origin.pz", number, read_origin<2>, nullptr, "Place of the object's system in the world, metres." },
+	{ "initialShape.origin.ox", number, read_origin_turn<0>, nullptr, "Turn of the object's system in the world, degrees." },
+	{ "initialShape.origin.oy", number, read_origin_turn<1>, nullptr, "Turn of the object's system in the world, degrees." },
+	{ "initialShape.origin.oz", number, read_origin_turn<2>, nullptr, "Turn of the object's system in the world, degrees." },
+	{ "initialShape.symbol", text, read_start_rule, nullptr, "Old name of initialShape.startRule." },
 	{ "split.index", number, read_index<&Shape::split_index>, nullptr, "Number of this part in the last split, from 0." },
 	{ "split.total", number, read_index<&Shape::split_total>, nullptr, "How many parts the last split made." },
 	{ "comp.index", number, read_index<&Shape::comp_index>, nullptr, "Number of this component for its selector, from 0." },

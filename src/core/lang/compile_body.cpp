@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 #include <charconv>
 
 #include "core/lang/compiler.h"
@@ -312,7 +313,9 @@ BlockEntry Compiler::entry_with_head(const AstEntry &source, BlockKind kind) {
 	const bool is_defined = is_word && (_set.has_value(_scope.space, head.name) ||
 											   std::find(_scope.locals.begin(), _scope.locals.end(), head.name) != _scope.locals.end());
 	if (!is_word || is_defined) {
+		const bool was_selector = std::exchange(_scope.is_selector, kind == BlockKind::Selectors);
 		entry.head = value_chunk(source.head, kind == BlockKind::Sizes);
+		_scope.is_selector = was_selector;
 	}
 	return entry;
 }

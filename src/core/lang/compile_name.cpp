@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "core/lang/compiler.h"
 
 // What a bare name in an expression means.
@@ -51,6 +53,11 @@ Compiler::Known Compiler::global_name(const Expr &expr, bool is_required) {
 		emit(is_attribute ? OpCode::LoadAttribute : OpCode::CallUser, expr.offset, 1, definition.index);
 		return ValueType::Void;
 	}
+	if (_scope.is_selector && is_selector_word(expr.name)) {
+		emit_constant(Value::of(&_program->texts[symbol(expr.name)]), expr.offset);
+		emit(OpCode::CallFunction, expr.offset, 0, 0, uint32_t(_dialect.find_function(_dialect.selector_function, 1)), 1);
+		return ValueType::Bool;
+	}
 	const int variable = _dialect.find_variable(expr.name);
 	if (variable >= 0) {
 		emit(OpCode::LoadVariable, expr.offset, 1, uint32_t(variable));
@@ -61,6 +68,10 @@ Compiler::Known Compiler::global_name(const Expr &expr, bool is_required) {
 		return call_builtin(uint32_t(function), expr.name, {}, expr.offset);
 	}
 	return is_required ? unknown_global(expr) : ValueType::Void;
+}
+
+bool Compiler::is_selector_word(std::string_view name) const {
+	return std::find(_dialect.selector_words.begin(), _dialect.selector_words.end(), name) != _dialect.selector_words.end();
 }
 
 Compiler::Known Compiler::unknown_global(const Expr &expr) {

@@ -30,6 +30,7 @@ private:
 		uint32_t space = 0;
 		std::vector<std::string_view> locals; // parameters, then `with` values
 		bool is_attribute = false; // evaluated at no fixed moment: sees no dynamic locals
+		bool is_selector = false; // in the expression of a selector
 	};
 	// Code of one chunk while it grows; nested ones are finished first.
 	struct Builder {
@@ -119,6 +120,7 @@ private:
 	Known name(const Expr &expr);
 	bool local_name(const Expr &expr);
 	Known global_name(const Expr &expr, bool is_required);
+	bool is_selector_word(std::string_view name) const;
 	Known unknown_global(const Expr &expr);
 
 	// compile_call.cpp: arguments of built-ins

@@ -114,6 +114,10 @@ struct Dialect {
 	enum class UnknownNames : uint8_t { Error, LeafSymbol } unknown_names = UnknownNames::Error;
 	bool has_time_units = false; // 8h30m, 5m, 30s
 
+	// Words that within the expressions of a selector block stand for a function of this name, called with the word as its text.
+	std::vector<std::string_view> selector_words;
+	std::string_view selector_function;
+
 	std::vector<FunctionSpec> functions;
 	std::vector<OperationSpec> operations;
 	std::vector<VariableSpec> variables;

@@ -27,7 +27,13 @@ const Geometry *geometry_of(const Asset &asset, Context &context) {
 		}
 		builder.end_face(FaceTag::None, face.material < materials.size() ? materials[face.material] : uint16_t(0));
 	}
-	return builder.finish(context.arena, false);
+	const Geometry *geometry = builder.finish(context.arena, false);
+	if (geometry == nullptr) {
+		return nullptr;
+	}
+	Geometry instance = *geometry;
+	instance.is_instance = true;
+	return context.arena.make(instance);
 }
 
 void trim_inserted(Context &context) {

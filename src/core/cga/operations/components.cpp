@@ -29,6 +29,9 @@ public:
 			_trim = _context.trimmer.source_of(_parent, *geometry, _keeps_axes, _context.arena);
 		}
 		_components = components_of(*geometry, _kind);
+		if (_kind == ComponentKind::Edges) {
+			name_roof_edges(*geometry, _components);
+		}
 		_entries = _context.vm.entries(block);
 		assign();
 		for (uint32_t i = 0; i < _entries.size(); ++i) {
@@ -40,6 +43,8 @@ public:
 	}
 
 private:
+	bool is_face_kind() const { return _kind == ComponentKind::Faces || _kind == ComponentKind::Groups || _kind == ComponentKind::Materials; }
+
 	// Each component goes to the first entry that selects it.
 	void assign() {
 		_entry_of.assign(_components.size(), nobody);
@@ -50,24 +55,52 @@ private:
 		}
 	}
 
+	Selector selector_of_entry(const BlockEntry &entry) const { return entry.word != no_symbol ? _context.selector(entry.word) : Selector{}; }
+
 	bool selects(const BlockEntry &entry, uint32_t component) {
-		const Selector selector = entry.word != no_symbol ? _context.selector(entry.word) : Selector{};
+		const Selector selector = selector_of_entry(entry);
 		if (selector.kind != SelectorKind::Unknown) {
-			return matches(selector, _components[component].component, _parent, _context.lot());
+			return fits(selector, _components[component]);
 		}
 		if (entry.head == Chunk::None) {
 			return false;
 		}
-		Shape child = shape_of({ &component, 1 });
+		Shape child = shape_of({ &component, 1 }, false);
 		child.comp_index = component;
 		child.comp_total = uint32_t(_components.size());
-		const Value value = _context.evaluate_on(child, entry.head);
+		const Value value = _context.evaluate_selected(child, { &_components[component].component, &_parent }, entry.head);
 		return value.is_bool() ? value.boolean : value.is_number() && value.number == double(component);
 	}
 
-	Shape shape_of(std::span<const uint32_t> components) {
-		return _kind == ComponentKind::Faces ? face_shape(_parent, *_geometry, components, _keeps_axes, _context.builder, _context.arena)
-											 : edge_shape(_parent, _components[components[0]], _context.arena);
+	// A group or a material fits where one of its faces does.
+	bool fits(Selector selector, const ComponentInfo &info) {
+		if (info.faces.empty()) {
+			return matches(selector, info.component, _parent, _context.lot());
+		}
+		if (_faces.empty()) {
+			_faces = components_of(*_geometry, ComponentKind::Faces);
+		}
+		return std::ranges::any_of(info.faces, [&](uint32_t face) { return matches(selector, _faces[face].component, _parent, _context.lot()); });
+	}
+
+	Shape shape_of(std::span<const uint32_t> components, bool is_roof_edge) {
+		if (_kind == ComponentKind::Faces) {
+			return face_shape(_parent, *_geometry, components, _keeps_axes, _context.builder, _context.arena);
+		}
+		if (is_face_kind()) { // there is no one face that could say how to turn
+			_set.clear();
+			for (const uint32_t component : components) {
+				_set.insert(_set.end(), _components[component].faces.begin(), _components[component].faces.end());
+			}
+			std::ranges::sort(_set);
+			return face_shape(_parent, *_geometry, _set, true, _context.builder, _context.arena);
+		}
+		_infos.clear();
+		for (const uint32_t component : components) {
+			_infos.push_back(&_components[component]);
+		}
+		return _kind == ComponentKind::Holes ? hole_shape(_parent, *_geometry, _infos, _keeps_axes, _context.builder, _context.arena)
+											 : edge_shape(_parent, _infos, _keeps_axes, is_roof_edge, _context.builder, _context.arena);
 	}
 
 	Flow run_entry(uint32_t index) {
@@ -78,18 +111,17 @@ private:
 				mine.push_back(i);
 			}
 		}
-		if (entry.separator == BlockEntry::Separator::All && _kind == ComponentKind::Faces && !mine.empty()) {
+		if (entry.separator == BlockEntry::Separator::All && !mine.empty()) {
 			return run_one(entry, mine, 0, 1);
 		}
-		if (entry.separator == BlockEntry::Separator::Connected && _kind == ComponentKind::Faces) {
+		Flow flow = Flow::Next;
+		if (entry.separator == BlockEntry::Separator::Connected) {
 			const std::vector<std::vector<uint32_t>> groups = connected_groups(mine);
-			Flow flow = Flow::Next;
 			for (uint32_t i = 0; i < groups.size() && flow == Flow::Next; ++i) {
 				flow = run_one(entry, groups[i], i, uint32_t(groups.size()));
 			}
 			return flow;
 		}
-		Flow flow = Flow::Next;
 		for (uint32_t i = 0; i < mine.size() && flow == Flow::Next; ++i) {
 			flow = run_one(entry, std::span(mine).subspan(i, 1), i, uint32_t(mine.size()));
 		}
@@ -97,10 +129,11 @@ private:
 	}
 
 	Flow run_one(const BlockEntry &entry, std::span<const uint32_t> components, uint32_t index, uint32_t total) {
-		Shape child = shape_of(components);
+		Shape child = shape_of(components, is_roof_edge(selector_of_entry(entry).kind));
 		child.comp_index = index;
 		child.comp_total = total;
 		child.comp_selector = entry.word;
+		child.comp_entry = uint32_t(&entry - _context.vm.program().entries.data());
 		if (_trim != nullptr && entry.separator == BlockEntry::Separator::Each) {
 			child.trim = _trim;
 			child.trim_face = _components[components[0]].face;
@@ -108,18 +141,42 @@ private:
 		return child.geometry != nullptr ? _context.run_child(child, entry.body) : Flow::Next;
 	}
 
+	// Faces hang together by edges, edges by their ends; anything else stands alone.
 	std::vector<std::vector<uint32_t>> connected_groups(const std::vector<uint32_t> &mine) {
-		const std::vector<uint32_t> set_of = connected_sets(*_geometry, mine);
+		std::vector<uint32_t> set_of(_components.size());
+		if (_kind == ComponentKind::Faces) {
+			set_of = connected_sets(*_geometry, mine);
+		} else {
+			for (uint32_t i = 0; i < set_of.size(); ++i) {
+				set_of[i] = i;
+			}
+			join_edges(mine, set_of);
+		}
 		std::vector<std::vector<uint32_t>> groups;
-		for (const uint32_t face : mine) {
-			const auto found = std::ranges::find_if(groups, [&](const auto &group) { return set_of[group[0]] == set_of[face]; });
+		for (const uint32_t component : mine) {
+			const auto found = std::ranges::find_if(groups, [&](const auto &group) { return set_of[group[0]] == set_of[component]; });
 			if (found == groups.end()) {
-				groups.push_back({ face });
+				groups.push_back({ component });
 			} else {
-				found->push_back(face);
+				found->push_back(component);
 			}
 		}
 		return groups;
+	}
+
+	void join_edges(const std::vector<uint32_t> &mine, std::vector<uint32_t> &set_of) const {
+		const auto meet = [&](const ComponentInfo &a, const ComponentInfo &b) { return a.from == b.from || a.from == b.to || a.to == b.from || a.to == b.to; };
+		for (bool has_changed = _kind == ComponentKind::Edges || _kind == ComponentKind::FaceEdges; has_changed;) {
+			has_changed = false;
+			for (const uint32_t a : mine) {
+				for (const uint32_t b : mine) {
+					if (set_of[a] < set_of[b] && meet(_components[a], _components[b])) {
+						set_of[b] = set_of[a];
+						has_changed = true;
+					}
+				}
+			}
+		}
 	}
 
 	Context &_context;
@@ -129,25 +186,48 @@ private:
 	const Geometry *_geometry = nullptr;
 	const TrimSource *_trim = nullptr;
 	std::vector<ComponentInfo> _components;
+	std::vector<ComponentInfo> _faces; // where groups or materials are asked for sides
 	std::span<const BlockEntry> _entries;
 	std::vector<uint32_t> _entry_of;
+	std::vector<uint32_t> _set;
+	std::vector<const ComponentInfo *> _infos;
 };
 
 Flow comp(Vm &vm, const Args &args) {
-	static constexpr ComponentKind kinds[] = { ComponentKind::Faces, ComponentKind::Edges, ComponentKind::Vertices, ComponentKind::FaceEdges };
+	using enum ComponentKind;
+	static constexpr ComponentKind kinds[] = { Faces, Edges, Vertices, FaceEdges, FaceVertices, Groups, Materials, Holes };
 	Context &context = Context::of(vm);
 	context.mark_replaced();
 	const bool keeps_axes = args.count() > 1 && args[1].word == 1;
 	return args.block == nullptr ? Flow::Next : ComponentSplit(context, kinds[args[0].word], keeps_axes).run(*args.block);
 }
 
+Value is_selected(Vm &vm, const Args &args) {
+	const Context &context = Context::of(vm);
+	const Selector selector = args[0].is_text() ? selector_of(args[0].text->view) : Selector{};
+	return Value::of(context.selection().component != nullptr && context.selects(selector));
+}
+
+Value is_tagged(Vm &vm, const Args &) {
+	vm.warn("no-tags", "components carry no tags here: isTagged selects nothing", "select by direction, by index or by a condition instead");
+	return Value::of(false);
+}
+
 } // namespace
 
 void add_component_operations(Dialect &dialect) {
 	using enum ParamKind;
-	dialect.operations.push_back({ "comp", { { "kind", Word, "f e v fe" }, { "axes", Word, "zUp noAlign", true } }, BlockKind::Selectors, comp,
-			"Makes shapes of faces (f), edges (e: shared ones once, fe: of each face) or vertices (v). Each goes to the first selector that fits; "
-			"`=` puts all of one selector into one shape, `=:` each connected set." });
+	dialect.operations.push_back({ "comp", { { "kind", Word, "f e v fe fv g m h" }, { "axes", Word, "zUp noAlign", true } }, BlockKind::Selectors, comp,
+			"Makes shapes of faces (f), edges (e: shared ones once, fe: of each face), vertices (v: shared ones once, fv: of each face), everything (g), materials "
+			"(m) or holes (h). Each goes to the first selector that fits; `=` puts all of one selector into one shape, `=:` each connected set." });
+	dialect.functions.push_back({ "isSelected", { { "selector", Text } }, ValueType::Bool, is_selected,
+			"In the selectors of a block: whether the component fits a selector word. `top && geometry.area > 3` is short for isSelected(\"top\") && .." });
+	dialect.functions.push_back({ "isTagged", { { "tag", Text }, { "part", Word, "e v", true } }, ValueType::Bool, is_tagged,
+			"Accepted: components carry no tags, so it is always false, with a warning." });
+	for (const std::string_view word : selector_words()) {
+		dialect.selector_words.push_back(word);
+	}
+	dialect.selector_function = "isSelected";
 }
 
 } // namespace pcg::cga

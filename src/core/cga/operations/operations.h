@@ -6,6 +6,7 @@
 namespace pcg::cga {
 
 void add_transform_operations(Dialect &dialect); // t r s center ..
+void add_frame_operations(Dialect &dialect); // alignScopeToAxes setPivot mirror ..
 void add_split_operations(Dialect &dialect);
 void add_split_area_operations(Dialect &dialect);
 void add_perimeter_operations(Dialect &dialect); // splitAndSetbackPerimeter
@@ -25,7 +26,9 @@ void add_flow_operations(Dialect &dialect); // NIL report print label
 void add_semantic_operations(Dialect &dialect); // entrance zone place
 
 void add_variables(Dialect &dialect); // scope.sx split.index ..
-void add_functions(Dialect &dialect); // geometry.area ..
+void add_functions(Dialect &dialect); // str float ..
+void add_geometry_functions(Dialect &dialect); // geometry.area ..
+void add_place_functions(Dialect &dialect); // convert ..
 void add_context_functions(Dialect &dialect); // inside touches minimumDistance ..
 void add_uv_functions(Dialect &dialect); // geometry.du ..
 // Of set(): false if the variable cannot be written to.

@@ -122,28 +122,6 @@ Flow center(Vm &vm, const Args &args) {
 	return Flow::Next;
 }
 
-// The pivot moves along: t and r of the scope are 0 afterwards.
-Flow align_scope_to_axes(Vm &vm, const Args &) {
-	Context &context = Context::of(vm);
-	Shape &shape = context.shape;
-	turn_scope(shape, glm::transpose(shape.frame().axes), context.builder, context.arena);
-	shape.pivot = context.arena.make(Frame{ glm::dmat3(1.0), shape.frame().origin });
-	shape.position = glm::dvec3(0.0);
-	shape.rotation = glm::dmat3(1.0);
-	return Flow::Next;
-}
-
-Flow mirror(Vm &vm, const Args &args) {
-	Shape &shape = Context::of(vm).shape;
-	for (int axis = 0; axis < 3; ++axis) {
-		if (args[size_t(axis)].boolean) {
-			shape.geometry_offset[axis] = shape.size[axis] - shape.geometry_offset[axis];
-			shape.geometry_scale[axis] = -shape.geometry_scale[axis];
-		}
-	}
-	return Flow::Next;
-}
-
 } // namespace
 
 void add_transform_operations(Dialect &dialect) {
@@ -166,8 +144,6 @@ void add_transform_operations(Dialect &dialect) {
 	operations.push_back({ "rotateScope", turns, BlockKind::None, rotate_scope, "Turns the scope but not the geometry; the scope is fitted anew." });
 	operations.push_back({ "center", { { "axes", Word, "x y z xy xz yz xyz" } }, BlockKind::None, center,
 			"Moves the scope so that its centre is that of the shape with which this body or bracket began." });
-	operations.push_back({ "alignScopeToAxes", {}, BlockKind::None, align_scope_to_axes, "Turns the scope to the world's axes; the geometry stays." });
-	operations.push_back({ "mirror", { { "x", Bool }, { "y", Bool }, { "z", Bool } }, BlockKind::None, mirror, "Mirrors the geometry inside of the scope." });
 }
 
 } // namespace pcg::cga

@@ -1,0 +1,29 @@
+#include "core/cga/edges.h"
+
+#include <algorithm>
+
+namespace pcg::cga {
+
+std::vector<FaceEdge> face_edges(const Geometry &geometry) {
+	std::vector<FaceEdge> edges;
+	edges.reserve(geometry.point_count);
+	for (uint32_t f = 0; f < geometry.face_count; ++f) {
+		const GeometryFace &face = geometry.faces[f];
+		for (uint32_t l = 0; l < face.loop_count; ++l) {
+			const auto loop = geometry.loop(face.first_loop + l);
+			const size_t count = loop.size() == 2 ? 1 : loop.size(); // an edge does not run back
+			for (size_t i = 0; i < count; ++i) {
+				edges.push_back({ loop[i], loop[(i + 1) % loop.size()], f, uint32_t(edges.size()) });
+			}
+		}
+	}
+	return edges;
+}
+
+std::vector<FaceEdge> grouped_edges(const Geometry &geometry) {
+	std::vector<FaceEdge> edges = face_edges(geometry);
+	std::ranges::stable_sort(edges, {}, &FaceEdge::key);
+	return edges;
+}
+
+} // namespace pcg::cga
