@@ -203,6 +203,20 @@ void set_pivot(Shape &shape, const Shape &parent, const Frame &local, Arena &are
 	shape.rotation = glm::dmat3(1.0);
 }
 
+// Edges and vertices keep where they face, one for each of the geometry's faces, for extrude().
+const Geometry *with_noted_normals(const Geometry &geometry, std::span<const ComponentInfo *const> infos, const Frame &frame, Arena &arena) {
+	glm::dvec3 *normals = arena.allocate<glm::dvec3>(geometry.point_count);
+	for (uint32_t f = 0; f < geometry.face_count; ++f) {
+		const GeometryFace &face = geometry.faces[f];
+		std::fill_n(normals + geometry.first_point(face.first_loop), geometry.face_point_count(face), glm::transpose(frame.axes) * infos[f]->component.normal);
+	}
+	CornerData *corners = arena.make(CornerData());
+	corners->normals = normals;
+	Geometry *result = arena.make(geometry);
+	result->corners = corners;
+	return result;
+}
+
 } // namespace
 
 std::vector<ComponentInfo> components_of(const Geometry &geometry, ComponentKind kind) {
@@ -264,7 +278,7 @@ Shape edge_shape(const Shape &parent, std::span<const ComponentInfo *const> info
 		builder.end_loop(1);
 		builder.end_face();
 	}
-	set_geometry(shape, builder.finish(arena, false));
+	set_geometry(shape, with_noted_normals(*builder.finish(arena, false), infos, frame, arena));
 	return shape;
 }
 

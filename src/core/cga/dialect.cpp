@@ -30,6 +30,7 @@ Dialect make_dialect() {
 	add_wing_operations(dialect);
 	add_outline_operations(dialect);
 	add_extrusion_operations(dialect);
+	add_cleanup_operations(dialect);
 	add_roof_operations(dialect);
 	add_asset_operations(dialect);
 	add_appearance_operations(dialect);

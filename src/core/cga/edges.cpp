@@ -11,9 +11,11 @@ std::vector<FaceEdge> face_edges(const Geometry &geometry) {
 		const GeometryFace &face = geometry.faces[f];
 		for (uint32_t l = 0; l < face.loop_count; ++l) {
 			const auto loop = geometry.loop(face.first_loop + l);
+			const uint32_t first = geometry.first_point(face.first_loop + l);
 			const size_t count = loop.size() == 2 ? 1 : loop.size(); // an edge does not run back
 			for (size_t i = 0; i < count; ++i) {
-				edges.push_back({ loop[i], loop[(i + 1) % loop.size()], f, uint32_t(edges.size()) });
+				const size_t next = (i + 1) % loop.size();
+				edges.push_back({ loop[i], loop[next], f, uint32_t(edges.size()), first + uint32_t(i), first + uint32_t(next) });
 			}
 		}
 	}

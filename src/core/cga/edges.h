@@ -16,6 +16,7 @@ struct FaceEdge {
 	glm::dvec3 from{ 0.0 }, to{ 0.0 };
 	uint32_t face = 0;
 	uint32_t order = 0; // among all edges
+	uint32_t corner = 0, end_corner = 0; // at `from` and at `to`, in Geometry::points
 
 	static auto key_of(glm::dvec3 p) { return std::tuple(p.x, p.y, p.z); }
 	auto key() const {

@@ -2,181 +2,223 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "core/geometry/polygon.h"
+#include "core/cga/edges.h"
+#include "core/cga/frames.h"
 
 namespace pcg::cga {
 
 namespace {
 
-using Loop = std::vector<glm::dvec3>;
+using enum ExtrudeDirection;
 
-// The other way around with the same first edge: [0 1 2 3] becomes [1 0 3 2]. Doing it twice changes nothing.
-void reverse_keeping_first_edge(Loop &loop) {
-	std::ranges::reverse(loop);
-	std::rotate(loop.begin(), loop.end() - 2, loop.end());
-}
-
-// Where a corner of a loop that was reversed so stood before.
+// Where a corner of a loop that was reversed so that its first edge stays first stood before.
 uint32_t reversed_index(size_t index, size_t count) {
 	return uint32_t((count + 1 - index) % count);
 }
 
+// Of edges what comp() has noted with them, else z of their scope.
+glm::dvec3 normal_of(const Geometry &geometry, const GeometryFace &face) {
+	if (geometry.outline(face).size() >= 3) {
+		return face_normal(geometry, face);
+	}
+	const uint32_t corner = geometry.first_point(face.first_loop);
+	const bool is_noted = geometry.corners != nullptr && geometry.corners->normals != nullptr;
+	return is_noted ? geometry.corners->normals[corner] : glm::dvec3(0.0, 0.0, 1.0);
+}
+
 class Extruder {
 public:
-	Extruder(const Geometry &geometry, ExtrudeDirection direction, double height, glm::dvec3 up, bool is_hollow, GeometryBuilder &builder)
-			: _geometry(geometry), _direction(direction), _height(height), _up(up), _is_hollow(is_hollow), _builder(builder) {
+	Extruder(const Geometry &geometry, ExtrudeDirection direction, double height, glm::dvec3 axis, bool is_hollow, GeometryBuilder &builder)
+			: _geometry(geometry), _direction(direction), _height(height), _axis(axis), _is_hollow(is_hollow), _builder(builder) {
 		_builder.begin(geometry, glm::dmat3(0.0)); // flat shaded
 	}
 
+	// nullptr: there is nothing to raise.
 	const Geometry *run(Arena &arena) {
-		for (uint32_t i = 0; i < _geometry.face_count; ++i) {
-			add_prism(_geometry.faces[i]);
+		if (_direction == WorldUpFlatTop && !find_level()) {
+			return nullptr;
 		}
-		return _builder.finish(arena, true);
+		if (_direction == VertexNormal) {
+			find_vertex_normals();
+		}
+		if (_geometry.face_count > 1) {
+			find_inner_walls();
+		}
+		bool is_closed = true;
+		for (uint32_t i = 0; i < _geometry.face_count; ++i) {
+			is_closed &= add_prism(_geometry.faces[i]);
+		}
+		return _builder.finish(arena, is_closed);
+	}
+
+	// Where the first face or the first vertex goes.
+	glm::dvec3 first_direction() const {
+		return _direction == FaceNormal ? normal_of(_geometry, _geometry.faces[0]) : _direction == VertexNormal ? _vertex_normals[0] : _axis;
 	}
 
 private:
-	void add_prism(const GeometryFace &face) {
-		const glm::dvec3 normal = face_normal(_geometry, face);
-		const glm::dvec3 axis = _direction == ExtrudeDirection::FaceNormal ? normal : _up;
-		const double along = glm::dot(axis, normal) * _height;
-		const bool has_area = _geometry.outline(face).size() >= 3; // edges and points have none
-		if (!has_area || std::abs(glm::dot(axis, normal)) < 1e-6) {
-			return;
+	// Where a flat top lies: over the lowest point of the shape, but not below the highest; downwards the other way around. False: it is there.
+	bool find_level() {
+		double low = glm::dot(_geometry.points[0], _axis), high = low;
+		for (uint32_t i = 1; i < _geometry.point_count; ++i) {
+			low = std::min(low, glm::dot(_geometry.points[i], _axis));
+			high = std::max(high, glm::dot(_geometry.points[i], _axis));
 		}
-		std::vector<Loop> bottom, top;
-		for (uint32_t i = 0; i < face.loop_count; ++i) {
-			const auto points = _geometry.loop(face.first_loop + i);
-			bottom.emplace_back(points.begin(), points.end());
+		_level = _height >= 0.0 ? std::max(low + _height, high) : std::min(high + _height, low);
+		return std::max(std::abs(_level - low), std::abs(_level - high)) > 1e-9;
+	}
+
+	// Mean of the normals of the faces that meet at each corner.
+	void find_vertex_normals() {
+		std::vector<uint32_t> order(_geometry.point_count);
+		std::iota(order.begin(), order.end(), 0);
+		std::ranges::stable_sort(order, {}, [&](uint32_t corner) { return FaceEdge::key_of(_geometry.points[corner]); });
+		std::vector<glm::dvec3> normals(_geometry.point_count);
+		for (uint32_t f = 0; f < _geometry.face_count; ++f) {
+			const GeometryFace &face = _geometry.faces[f];
+			const uint32_t first = _geometry.first_point(face.first_loop);
+			std::fill_n(normals.begin() + first, _geometry.face_point_count(face), normal_of(_geometry, face));
+		}
+		_vertex_normals.resize(normals.size());
+		for (size_t i = 0; i < order.size();) {
+			size_t end = i;
+			glm::dvec3 sum(0.0);
+			for (; end < order.size() && _geometry.points[order[end]] == _geometry.points[order[i]]; ++end) {
+				sum += normals[order[end]];
+			}
+			const bool is_clear = glm::length(sum) > 1e-9;
+			for (; i < end; ++i) {
+				_vertex_normals[order[i]] = is_clear ? glm::normalize(sum) : normals[order[i]];
+			}
+		}
+	}
+
+	// Faces that are raised alike share no wall along their common edge.
+	void find_inner_walls() {
+		_is_inner.assign(_geometry.point_count, false);
+		const bool is_alike = _direction != FaceNormal;
+		for_each_edge_group(grouped_edges(_geometry), [&](std::span<const FaceEdge> group) {
+			for (size_t i = 0; i < group.size() && group.size() > 1; ++i) {
+				for (size_t k = 0; k < group.size(); ++k) {
+					const bool is_same = i == k || is_edge(group[i].face) || is_edge(group[k].face);
+					if (!is_same && (is_alike || are_coplanar(group[i].face, group[k].face))) {
+						_is_inner[group[i].corner] = true;
+					}
+				}
+			}
+		});
+	}
+	bool is_edge(uint32_t face) const { return _geometry.outline(_geometry.faces[face]).size() < 3; }
+	bool are_coplanar(uint32_t a, uint32_t b) const {
+		return glm::dot(face_normal(_geometry, _geometry.faces[a]), face_normal(_geometry, _geometry.faces[b])) > 1.0 - 1e-9;
+	}
+
+	glm::dvec3 raised(uint32_t corner, glm::dvec3 normal) const {
+		const glm::dvec3 point = _geometry.points[corner];
+		switch (_direction) {
+			case FaceNormal:
+				return point + normal * _height;
+			case VertexNormal:
+				return point + _vertex_normals[corner] * _height;
+			case WorldUpFlatTop:
+				return point + _axis * (_level - glm::dot(point, _axis));
+			default:
+				return point + _axis * _height;
+		}
+	}
+
+	// False: it was an edge, which makes no solid.
+	bool add_prism(const GeometryFace &face) {
+		const glm::dvec3 normal = normal_of(_geometry, face);
+		if (_geometry.outline(face).size() < 3) {
+			add_band(face, normal);
+			return false;
+		}
+		const bool is_along_axis = _direction != FaceNormal && _direction != VertexNormal;
+		const double rise = is_along_axis ? glm::dot(_axis, normal) : 1.0;
+		if (std::abs(rise) < 1e-6) {
+			return true;
 		}
 		// Outwards means: the bottom looks away from the direction. A hollow is the same, seen from inside.
-		_is_flipped = (along < 0.0) != (_is_hollow && _height < 0.0);
-		if (_is_flipped) {
-			for (Loop &loop : bottom) {
-				reverse_keeping_first_edge(loop);
-			}
-		}
-		const double flat_level = level(bottom[0], axis);
-		for (const Loop &loop : bottom) {
-			top.push_back(loop);
-			for (glm::dvec3 &point : top.back()) {
-				point += axis * (_direction == ExtrudeDirection::WorldUpFlatTop ? flat_level - glm::dot(point, axis) : _height);
-			}
-		}
-		add_cap(bottom, true, face);
-		add_walls(bottom, top, face, normal);
-		add_cap(top, false, face);
+		const double height = _direction == WorldUpFlatTop && _height == 0.0 ? 1.0 : _height;
+		_is_flipped = (rise * height < 0.0) != (_is_hollow && _height < 0.0);
+		add_cap(face, normal, true);
+		add_walls(face, normal);
+		add_cap(face, normal, false);
+		return true;
 	}
 
-	// Where a flat top lies: over the lowest point, but not below the highest; downwards the other way around.
-	double level(const Loop &loop, glm::dvec3 axis) const {
-		double low = glm::dot(loop[0], axis), high = low;
-		for (const glm::dvec3 &point : loop) {
-			low = std::min(low, glm::dot(point, axis));
-			high = std::max(high, glm::dot(point, axis));
-		}
-		return _height >= 0.0 ? std::max(low + _height, high) : std::min(high + _height, low);
+	// The corner of the source that corner `index` of a loop of the prism stands over.
+	uint32_t corner_of(uint32_t loop, size_t index) const {
+		return _geometry.first_point(loop) + (_is_flipped ? reversed_index(index, _geometry.loop(loop).size()) : uint32_t(index));
 	}
 
-	// The corner of the source that a corner of a loop of the prism stands over.
-	uint32_t corner_of(const GeometryFace &face, size_t loop, size_t index, size_t count) const {
-		return _geometry.first_point(face.first_loop + uint32_t(loop)) + (_is_flipped ? reversed_index(index, count) : uint32_t(index));
-	}
-
-	void add_cap(const std::vector<Loop> &loops, bool is_reversed, const GeometryFace &face) {
-		for (size_t l = 0; l < loops.size(); ++l) {
-			const size_t count = loops[l].size();
+	void add_cap(const GeometryFace &face, glm::dvec3 normal, bool is_bottom) {
+		for (uint32_t l = face.first_loop; l < face.first_loop + face.loop_count; ++l) {
+			const size_t count = _geometry.loop(l).size();
 			for (size_t i = 0; i < count; ++i) {
-				const size_t index = is_reversed ? reversed_index(i, count) : i;
-				_builder.add_corner(loops[l][index], corner_of(face, l, index, count));
+				const uint32_t corner = corner_of(l, is_bottom ? reversed_index(i, count) : i);
+				_builder.add_corner(is_bottom ? _geometry.points[corner] : raised(corner, normal), corner);
 			}
 			_builder.end_loop();
 		}
 		_builder.end_face(FaceTag::None, face.material);
 	}
 
-	void add_wall(const Loop &bottom, const Loop &top, size_t from, size_t to, uint32_t from_corner, uint32_t to_corner) {
-		_builder.add_corner(bottom[from], from_corner);
-		_builder.add_corner(bottom[to], to_corner);
-		_builder.add_corner(top[to], to_corner);
-		_builder.add_corner(top[from], from_corner);
-		_builder.end_loop();
-		_builder.end_face();
-	}
-
-	void add_walls(const std::vector<Loop> &bottom, const std::vector<Loop> &top, const GeometryFace &face, glm::dvec3 normal) {
-		for (size_t l = 0; l < bottom.size(); ++l) {
-			const size_t count = bottom[l].size();
+	void add_walls(const GeometryFace &face, glm::dvec3 normal) {
+		for (uint32_t l = face.first_loop; l < face.first_loop + face.loop_count; ++l) {
+			const size_t count = _geometry.loop(l).size();
 			for (size_t i = 0; i < count; ++i) {
-				const size_t next = (i + 1) % count;
-				if (_geometry.face_count == 1 || !has_flat_neighbour(bottom[l][i], bottom[l][next], normal)) {
-					add_wall(bottom[l], top[l], i, next, corner_of(face, l, i, count), corner_of(face, l, next, count));
+				const uint32_t from = corner_of(l, i), to = corner_of(l, (i + 1) % count);
+				if (_is_inner.empty() || !_is_inner[_is_flipped ? to : from]) {
+					add_wall(from, to, normal);
 				}
 			}
 		}
 	}
 
-	// Another face of the same plane has this edge.
-	bool has_flat_neighbour(glm::dvec3 a, glm::dvec3 b, glm::dvec3 normal) const {
-		uint32_t users = 0;
-		for (uint32_t f = 0; f < _geometry.face_count; ++f) {
-			if (glm::dot(face_normal(_geometry, _geometry.faces[f]), normal) < 1.0 - 1e-9) {
-				continue;
-			}
-			const auto loop = _geometry.outline(_geometry.faces[f]);
-			for (size_t i = 0; i < loop.size(); ++i) {
-				const glm::dvec3 from = loop[i], to = loop[(i + 1) % loop.size()];
-				users += (from == a && to == b) || (from == b && to == a);
-			}
+	void add_wall(uint32_t from, uint32_t to, glm::dvec3 normal) {
+		_builder.add_corner(_geometry.points[from], from);
+		_builder.add_corner(_geometry.points[to], to);
+		_builder.add_corner(raised(to, normal), to);
+		_builder.add_corner(raised(from, normal), from);
+		_builder.end_loop();
+		_builder.end_face();
+	}
+
+	void add_band(const GeometryFace &face, glm::dvec3 normal) {
+		if (_geometry.outline(face).size() == 2) {
+			const uint32_t from = _geometry.first_point(face.first_loop);
+			add_wall(from, from + 1, normal);
 		}
-		return users > 1;
 	}
 
 	const Geometry &_geometry;
 	ExtrudeDirection _direction;
 	double _height;
-	glm::dvec3 _up;
+	glm::dvec3 _axis; // of the directions that are the same for all faces
 	bool _is_hollow;
+	double _level = 0.0; // of a flat top, along the axis
 	bool _is_flipped = false; // the prism's loops run against those of the face it stands on
+	std::vector<glm::dvec3> _vertex_normals; // by corner
+	std::vector<bool> _is_inner; // by the corner at which an edge begins; empty: none is
 	GeometryBuilder &_builder;
 };
 
-// Of the triangles of the fan around the first point, weighted by their signed area. False: there is no area.
-bool center_of_gravity(std::span<const glm::dvec3> loop, glm::dvec3 &center) {
-	const glm::dvec3 normal = loop_normal(loop);
-	glm::dvec3 sum(0.0);
-	double weight = 0.0;
-	for (size_t i = 1; i + 1 < loop.size(); ++i) {
-		const double area = glm::dot(glm::cross(loop[i] - loop[0], loop[i + 1] - loop[0]), normal);
-		sum += area * (loop[0] + loop[i] + loop[i + 1]) / 3.0;
-		weight += area;
-	}
-	center = sum / weight;
-	return std::abs(weight) > 1e-12;
-}
-
-// y to the direction of the extrusion, x as it was as far as it can.
-void turn_to(Shape &shape, glm::dvec3 direction, GeometryBuilder &builder, Arena &arena) {
-	const glm::dmat3 axes = axes_from_y(direction, glm::dvec3(1.0, 0.0, 0.0));
-	const bool is_turned = glm::distance(axes[0], { 1.0, 0.0, 0.0 }) > 1e-12 || glm::distance(axes[1], { 0.0, 1.0, 0.0 }) > 1e-12;
-	if (is_turned) {
-		turn_scope(shape, axes, builder, arena);
-	}
-}
-
-// The scope begins at the old surface and its size points the other way.
-void make_negative(Shape &shape, int axis) {
-	glm::dvec3 shift(0.0);
-	shift[axis] = shape.size[axis];
-	shape.position += shape.rotation * shift;
-	shape.geometry_offset[axis] -= shape.size[axis];
-	shape.size[axis] = -shape.size[axis];
+// Of a direction that is the same for all faces, in scope coordinates.
+glm::dvec3 axis_of(ExtrudeDirection direction, const Shape &shape) {
+	const int axis = direction == WorldX || direction == ScopeX ? 0 : direction == WorldZ || direction == ScopeZ ? 2 : 1;
+	glm::dvec3 result(0.0);
+	result[axis] = 1.0;
+	const bool is_scope = direction == ScopeX || direction == ScopeY || direction == ScopeZ;
+	return is_scope ? result : glm::transpose(shape.frame().axes) * result;
 }
 
 } // namespace
@@ -186,73 +228,22 @@ bool extrude(Shape &shape, ExtrudeDirection direction, double height, bool keeps
 	if (geometry == nullptr) {
 		return false;
 	}
-	if (std::abs(height) < 1e-9) {
+	if (std::abs(height) < 1e-9 && direction != WorldUpFlatTop) {
 		return true;
 	}
-	const glm::dvec3 up = glm::transpose(shape.frame().axes) * glm::dvec3(0.0, 1.0, 0.0);
-	const Geometry *result = Extruder(*geometry, direction, height, up, keeps_axes, builder).run(arena);
+	Extruder extruder(*geometry, direction, height, axis_of(direction, shape), keeps_axes, builder);
+	const Geometry *result = extruder.run(arena);
 	if (result == nullptr) {
-		return false;
+		return direction == WorldUpFlatTop;
 	}
-	const glm::dvec3 axis = direction == ExtrudeDirection::FaceNormal ? face_normal(*geometry, geometry->faces[0]) : up;
 	set_geometry(shape, result);
 	if (!keeps_axes) {
-		turn_to(shape, axis, builder, arena);
+		turn_scope_to(shape, extruder.first_direction(), builder, arena);
 		if (height < 0.0) {
-			make_negative(shape, 1);
+			mirror_scope(shape, 1);
 		}
 	}
 	return true;
-}
-
-bool taper(Shape &shape, double height, GeometryBuilder &builder, Arena &arena) {
-	const Geometry *geometry = baked(shape, arena);
-	glm::dvec3 center;
-	if (geometry == nullptr || geometry->point_count < 3 || !center_of_gravity(geometry->outline(geometry->faces[0]), center)) {
-		return false;
-	}
-	const auto outline = geometry->outline(geometry->faces[0]);
-	const glm::dvec3 normal = face_normal(*geometry, geometry->faces[0]);
-	const glm::dvec3 apex = center + normal * height;
-	Loop base(outline.begin(), outline.end());
-	if (height < 0.0) {
-		reverse_keeping_first_edge(base);
-	}
-	builder.clear();
-	for (size_t i = 0; i < base.size(); ++i) {
-		builder.add_loop(Loop{ base[i], base[(i + 1) % base.size()], apex });
-		builder.end_face();
-	}
-	reverse_keeping_first_edge(base);
-	builder.add_loop(base);
-	builder.end_face();
-	set_geometry(shape, builder.finish(arena, true));
-	turn_to(shape, normal, builder, arena);
-	if (height < 0.0) {
-		make_negative(shape, 1);
-	}
-	return true;
-}
-
-void reverse_normals(Shape &shape, GeometryBuilder &builder, Arena &arena) {
-	if (shape.geometry == nullptr) {
-		return;
-	}
-	const Geometry &geometry = *shape.geometry;
-	builder.begin(geometry, glm::dmat3(-1.0));
-	for (uint32_t f = 0; f < geometry.face_count; ++f) {
-		const GeometryFace &face = geometry.faces[f];
-		for (uint32_t l = face.first_loop; l < face.first_loop + face.loop_count; ++l) {
-			const uint32_t first = geometry.first_point(l), count = geometry.loop_ends[l] - first;
-			for (uint32_t i = 0; i < count; ++i) {
-				const uint32_t corner = first + reversed_index(i, count);
-				builder.add_corner(geometry.points[corner], corner);
-			}
-			builder.end_loop(1);
-		}
-		builder.end_face(face.tag, face.material);
-	}
-	shape.geometry = builder.finish(arena, false); // inside out: cuts of it have no caps
 }
 
 } // namespace pcg::cga

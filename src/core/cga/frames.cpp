@@ -1,7 +1,7 @@
 #include "core/cga/frames.h"
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include <glm/common.hpp>
@@ -163,6 +163,14 @@ void set_pivot(Shape &shape, PivotOrder order, uint32_t corner, GeometryBuilder 
 	shape.size = glm::abs(glm::transpose(axes) * old_size);
 }
 
+void turn_scope_to(Shape &shape, glm::dvec3 up, GeometryBuilder &builder, Arena &arena) {
+	const glm::dmat3 axes = axes_from_y(up, glm::dvec3(1.0, 0.0, 0.0));
+	const bool is_turned = glm::distance(axes[0], unit(0)) > 1e-12 || glm::distance(axes[1], unit(1)) > 1e-12;
+	if (is_turned) {
+		turn_scope(shape, axes, builder, arena);
+	}
+}
+
 void mirror_scope(Shape &shape, int axis) {
 	shape.position += shape.rotation * (shape.size[axis] * unit(axis));
 	shape.geometry_offset[axis] -= shape.size[axis];
@@ -170,19 +178,33 @@ void mirror_scope(Shape &shape, int axis) {
 }
 
 void mirror_geometry(Shape &shape, const bool (&axes)[3], GeometryBuilder &builder, Arena &arena) {
-	if (shape.geometry != nullptr && axes[0] != (axes[1] != axes[2])) { // an odd number turns faces inside out
-		const Geometry old = *shape.geometry;
-		reverse_normals(shape, builder, arena);
-		Geometry reversed = *shape.geometry;
-		reversed.is_closed = old.is_closed;
-		reversed.is_block = old.is_block;
-		shape.geometry = arena.make(reversed);
+	if (shape.geometry == nullptr) {
+		return;
 	}
 	for (int axis = 0; axis < 3; ++axis) {
 		if (axes[axis]) {
 			shape.geometry_offset[axis] = shape.size[axis] - shape.geometry_offset[axis];
 			shape.geometry_scale[axis] = -shape.geometry_scale[axis];
 		}
+	}
+	if (axes[0] == (axes[1] == axes[2])) { // an odd number turns faces inside out
+		const Geometry &mirrored = *baked(shape, arena);
+		builder.begin(mirrored, glm::dmat3(-1.0));
+		for (uint32_t f = 0; f < mirrored.face_count; ++f) {
+			const GeometryFace &face = mirrored.faces[f];
+			for (uint32_t l = face.first_loop; l < face.first_loop + face.loop_count; ++l) {
+				const uint32_t first = mirrored.first_point(l), count = mirrored.loop_ends[l] - first;
+				for (uint32_t i = 0; i < count; ++i) { // the other way around, with the same first edge
+					const uint32_t corner = first + (count + 1 - i) % count;
+					builder.add_corner(mirrored.points[corner], corner);
+				}
+				builder.end_loop(std::min(count, 3u));
+			}
+			builder.end_face(face.tag, face.material);
+		}
+		shape.geometry = builder.finish(arena, mirrored.is_closed);
+		shape.geometry_offset = glm::dvec3(0.0);
+		shape.geometry_scale = glm::dvec3(1.0);
 	}
 }
 

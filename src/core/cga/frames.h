@@ -16,6 +16,9 @@ enum class PivotOrder : uint8_t { Xyz, Yzx, Zxy };
 // the same at the other end of y. Yzx: x along what would be z, y along x, z along y; Zxy: x along y, y along z, z along x.
 void set_pivot(Shape &shape, PivotOrder order, uint32_t corner, GeometryBuilder &builder, Arena &arena);
 
+// y to a direction (unit, in scope coordinates), x as it was as far as it can.
+void turn_scope_to(Shape &shape, glm::dvec3 up, GeometryBuilder &builder, Arena &arena);
+
 // The scope's origin goes to the other end of the axis, its size changes sign (op_mirrorScope).
 void mirror_scope(Shape &shape, int axis);
 

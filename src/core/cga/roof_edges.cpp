@@ -34,7 +34,7 @@ public:
 		std::ranges::sort(_eave_points);
 		std::map<decltype(FaceEdge().key()), ComponentInfo *> by_ends;
 		for (ComponentInfo &info : edges) {
-			by_ends[FaceEdge{ info.from, info.to, 0, 0 }.key()] = &info;
+			by_ends[FaceEdge{ info.from, info.to, 0, 0, 0, 0 }.key()] = &info;
 		}
 		for_each_edge_group(_grouped, [&](std::span<const FaceEdge> group) { name_edge(*by_ends.at(group[0].key()), planes_of(group)); });
 	}

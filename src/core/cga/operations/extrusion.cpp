@@ -21,13 +21,8 @@ Flow extrude_normal(Vm &vm, const Args &args) {
 
 Flow extrude_typed(Vm &vm, const Args &args) {
 	using enum ExtrudeDirection;
-	static constexpr ExtrudeDirection directions[] = { FaceNormal, WorldUp, WorldUp, WorldUp, WorldUpFlatTop };
-	Context &context = Context::of(vm);
-	if (args[0].word >= std::size(directions)) {
-		vm.warn("not-supported", "this direction of extrude is not supported; face.normal is taken instead");
-		return extrude_along(context, FaceNormal, args[1]);
-	}
-	return extrude_along(context, directions[args[0].word], args[1]);
+	static constexpr ExtrudeDirection directions[] = { FaceNormal, VertexNormal, WorldY, WorldUpFlatTop, WorldX, WorldY, WorldZ, ScopeX, ScopeY, ScopeZ };
+	return extrude_along(Context::of(vm), directions[args[0].word], args[1]);
 }
 
 Flow taper_face(Vm &vm, const Args &args) {
@@ -51,8 +46,8 @@ void add_extrusion_operations(Dialect &dialect) {
 			"Raises each face along its normal to a prism. In rules written with --> y turns to that direction; in rules written with -> (the "
 			"paper's listings) the scope keeps its axes and a negative height makes a hollow seen from inside." });
 	operations.push_back({ "extrude",
-			{ { "direction", Word, "face.normal world.up world.y y world.up.flatTop vertex.normal world.x world.z x z" }, { "height", Size } },
-			BlockKind::None, extrude_typed, "The same along the normal or straight up; world.up.flatTop makes a level top." });
+			{ { "direction", Word, "face.normal vertex.normal world.up world.up.flatTop world.x world.y world.z x y z" }, { "height", Size } },
+			BlockKind::None, extrude_typed, "The same along one direction: straight up, to a level top, along the mean normals of the vertices so that faces stay together, or (old forms) along an axis of the world or of the scope." });
 	operations.push_back({ "taper", { { "height", Size } }, BlockKind::None, taper_face, "A pyramid over the first face, its point above the centre of gravity." });
 	operations.push_back({ "reverseNormals", {}, BlockKind::None, reverse, "Turns all faces around." });
 }

@@ -17,6 +17,7 @@ void add_setback_operations(Dialect &dialect); // setback setbackPerEdge setback
 void add_wing_operations(Dialect &dialect); // shapeL shapeU shapeO innerRectangle
 void add_outline_operations(Dialect &dialect); // offset convexify innerRect ..
 void add_extrusion_operations(Dialect &dialect);
+void add_cleanup_operations(Dialect &dialect); // cleanupGeometry setNormals ..
 void add_roof_operations(Dialect &dialect);
 void add_asset_operations(Dialect &dialect); // i, primitives
 void add_appearance_operations(Dialect &dialect); // color texture set
