@@ -12,6 +12,7 @@
 
 #include "core/cga/edges.h"
 #include "core/cga/face_groups.h"
+#include "core/geometry/polygon.h"
 
 namespace pcg::cga {
 

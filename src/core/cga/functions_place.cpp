@@ -41,14 +41,12 @@ Value convert(Vm &vm, const Args &args) {
 Value convert_array(Vm &vm, const Args &args) {
 	Context &context = Context::of(vm);
 	glm::dvec3 value(0.0);
-	for (uint32_t i = 0; args[3].type == ValueType::Array && i < 3 && i < args[3].array->rows * args[3].array->columns; ++i) {
+	for (uint32_t i = 0; args[3].is_array() && i < 3 && i < args[3].array->size(); ++i) {
 		value[int(i)] = context.finite(args[3].array->values[i]);
 	}
 	const glm::dvec3 result = converted(context, args[0].word, args[1].word, args[2].word == 1, value);
 	const std::array<Value, 3> values = { Value::of(result.x), Value::of(result.y), Value::of(result.z) };
-	Value array = Value::of_index(ValueType::Array, 0);
-	array.array = vm.make_array(values);
-	return array;
+	return Value::of(vm.make_array(values));
 }
 
 // Nothing says where on the earth the world lies.

@@ -17,6 +17,9 @@ double cross(glm::dvec2 a, glm::dvec2 b) {
 // Counter-clockwise, without points on its sides (Andrew's monotone chain).
 std::vector<glm::dvec2> convex_hull(std::span<const glm::dvec2> points) {
 	std::vector<glm::dvec2> sorted(points.begin(), points.end());
+	if (sorted.size() < 2) {
+		return sorted;
+	}
 	const auto is_before = [](glm::dvec2 a, glm::dvec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
 	std::ranges::sort(sorted, is_before);
 	std::vector<glm::dvec2> hull;

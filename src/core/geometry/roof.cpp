@@ -44,31 +44,33 @@ RoofFace bottom_of(const RoofOutline &outline) {
 	return bottom;
 }
 
-// Ridge vertices (where three or more planes meet above the eaves) all at their mean height.
-void level_ridge(std::vector<RoofFace> &faces, double eaves) {
-	double sum = 0.0;
-	size_t count = 0;
-	for (const RoofFace &face : faces) {
-		for (const glm::dvec3 &point : face.outline) {
-			if (point.z > eaves + 1e-9) {
-				sum += point.z;
-				++count;
-			}
-		}
-	}
-	for (RoofFace &face : faces) {
-		for (glm::dvec3 &point : face.outline) {
-			if (point.z > eaves + 1e-9) {
-				point.z = sum / double(count);
-			}
-		}
-	}
-}
-
 using PointKey = std::pair<int64_t, int64_t>;
 
 // A tenth of a millimetre: finer than any roof detail, coarser than the skeleton's rounding.
 PointKey key_of(glm::dvec2 point) { return { std::llround(point.x * 1e4), std::llround(point.y * 1e4) }; }
+
+// Ridge vertices (where three or more planes meet above the eaves) all at their mean height.
+void level_ridge(std::vector<RoofFace> &faces, double eaves) {
+	std::map<PointKey, double> heights;
+	for (const RoofFace &face : faces) {
+		for (const glm::dvec3 &point : face.outline) {
+			if (point.z > eaves + 1e-9) {
+				heights[key_of(point)] = point.z;
+			}
+		}
+	}
+	double sum = 0.0;
+	for (const auto &[key, height] : heights) {
+		sum += height;
+	}
+	for (RoofFace &face : faces) {
+		for (glm::dvec3 &point : face.outline) {
+			if (point.z > eaves + 1e-9) {
+				point.z = sum / double(heights.size());
+			}
+		}
+	}
+}
 
 bool is_hip_end(const RoofFace &face) { return face.part == RoofPart::Plane && face.outline.size() == 3; }
 
@@ -266,7 +268,7 @@ Roof roof_gable(const RoofOutline &outline, RoofSlope slope, double overhang_eav
 	if (edge >= 0 && outline.size() == 1 && !outline[0].empty()) {
 		const size_t count = outline[0].size();
 		const glm::dvec2 a = outline[0][size_t(edge) % count], b = outline[0][(size_t(edge) + 1) % count];
-		return roof_along(outline, slope, b - a);
+		return roof_along(outline, slope, b - a, overhang_eaves, overhang_gables);
 	}
 	Roof roof;
 	roof.faces = hip_planes(outline, slope, overhang_eaves, roof.is_complete);
@@ -279,7 +281,7 @@ Roof roof_gable(const RoofOutline &outline, RoofSlope slope, double overhang_eav
 	return roof;
 }
 
-Roof roof_ridge(const RoofOutline &outline, RoofSlope slope) { return roof_along(outline, slope, { 1.0, 0.0 }); }
+Roof roof_ridge(const RoofOutline &outline, RoofSlope slope, glm::dvec2 direction) { return roof_along(outline, slope, direction); }
 
 Roof roof_pyramid(const RoofOutline &outline, RoofSlope slope) {
 	Roof roof;

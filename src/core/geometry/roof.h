@@ -46,11 +46,11 @@ Roof roof_hip(const RoofOutline &outline, RoofSlope slope, double overhang = 0.0
 // ridge runs in that edge's direction (convex outlines without holes; `is_even` is ignored then).
 Roof roof_gable(const RoofOutline &outline, RoofSlope slope, double overhang_eaves = 0.0, double overhang_gables = 0.0, bool is_even = false, int edge = -1);
 
-// Two planes to a ridge along x through the middle of the outline's depth; upright walls follow the outline.
-Roof roof_ridge(const RoofOutline &outline, RoofSlope slope);
+// Two planes to one ridge in that direction through the middle of the outline; upright walls follow the outline and its holes.
+Roof roof_ridge(const RoofOutline &outline, RoofSlope slope, glm::dvec2 direction = { 1.0, 0.0 });
 
-// One plane that rises from edge `edge`, upright sides elsewhere.
-Roof roof_shed(const RoofOutline &outline, RoofSlope slope, uint32_t edge = 0);
+// One plane that rises from edge `edge` (below 0: counted from the last), upright sides elsewhere; a negative slope falls from there.
+Roof roof_shed(const RoofOutline &outline, RoofSlope slope, int edge = 0);
 
 // Triangles to an apex above the mean of the outline's vertices; an angle is that of the first edge's triangle. Holes are left out.
 Roof roof_pyramid(const RoofOutline &outline, RoofSlope slope);

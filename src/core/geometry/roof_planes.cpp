@@ -14,31 +14,38 @@ namespace {
 
 constexpr double tiny = 1e-9;
 
-// height(p) = rise * distance(p) with distance = normal . p - offset, never below 0 by construction.
-struct RoofPlane {
+// One plane that rises along `normal` from the line normal . p = offset; with a ridge two that fall to both sides of it from `half` away.
+// Equal points have equal heights to the last bit, so that planes and walls fit together.
+struct Profile {
 	glm::dvec2 normal;
 	double offset;
 	double rise;
+	bool has_ridge = false;
+	double half = 0.0;
 
-	double height(glm::dvec2 p) const { return rise * (glm::dot(normal, p) - offset); }
+	double distance(glm::dvec2 p) const {
+		const double result = glm::dot(normal, p) - offset;
+		return std::abs(result) < tiny ? 0.0 : result;
+	}
+	double height(glm::dvec2 p) const {
+		const double result = rise * (has_ridge ? half - std::abs(distance(p)) : distance(p));
+		return std::abs(result) < tiny ? 0.0 : result;
+	}
 };
 
 using Loop = std::vector<glm::dvec2>;
 
-// Sutherland-Hodgman against one line: right for convex loops, and for others up to edges that run along the line.
-Loop clip(const Loop &loop, glm::dvec2 normal, double offset) {
-	Loop kept;
-	for (size_t i = 0; i < loop.size(); ++i) {
-		const glm::dvec2 a = loop[i], b = loop[(i + 1) % loop.size()];
-		const double da = glm::dot(normal, a) - offset, db = glm::dot(normal, b) - offset;
-		if (da >= -tiny) {
-			kept.push_back(a);
-		}
-		if ((da > tiny && db < -tiny) || (da < -tiny && db > tiny)) {
-			kept.push_back(a + (b - a) * (da / (da - db)));
+// The edge of the outline that runs from one point to the other; `fallback` if none does.
+uint32_t find_edge(const RoofOutline &outline, glm::dvec2 from, glm::dvec2 to, uint32_t fallback) {
+	uint32_t index = 0;
+	for (const Loop &loop : outline) {
+		for (size_t i = 0; i < loop.size(); ++i, ++index) {
+			if (glm::distance(loop[i], from) < tiny && glm::distance(loop[(i + 1) % loop.size()], to) < tiny) {
+				return index;
+			}
 		}
 	}
-	return kept;
+	return fallback;
 }
 
 // The outline starts at its lowest edge: an eave where there is one.
@@ -55,19 +62,28 @@ void start_at_eave(std::vector<glm::dvec3> &outline) {
 	std::rotate(outline.begin(), outline.begin() + long(best), outline.end());
 }
 
-void add_plane(Roof &roof, const Loop &part, const RoofPlane &plane) {
-	if (part.size() < 3) {
+void add_plane(Roof &roof, const RoofOutline &part, const Profile &profile, const RoofOutline &eaves) {
+	if (part.empty() || part[0].size() < 3) {
 		return;
 	}
-	RoofFace face{ RoofPart::Plane, 0, {}, {} };
-	for (const glm::dvec2 &point : part) {
-		face.outline.push_back({ point, std::max(0.0, plane.height(point)) });
+	RoofFace face;
+	for (size_t l = 0; l < part.size(); ++l) {
+		std::vector<glm::dvec3> loop;
+		for (const glm::dvec2 &point : part[l]) {
+			loop.push_back({ point, profile.height(point) });
+		}
+		if (l == 0) {
+			start_at_eave(loop);
+			face.edge = find_edge(eaves, loop[0], loop[1], 0);
+			face.outline = std::move(loop);
+		} else {
+			face.holes.push_back(std::move(loop));
+		}
 	}
-	start_at_eave(face.outline);
 	roof.faces.push_back(std::move(face));
 }
 
-// The wall below the roof along one edge, with the ridge's point where the edge crosses it.
+// The wall between the base and the roof along one edge, with the ridge's point where the edge crosses it.
 void add_wall(Roof &roof, uint32_t edge, const std::vector<glm::dvec3> &top) {
 	RoofFace wall{ RoofPart::Gable, edge, { { top.front().x, top.front().y, 0.0 }, { top.back().x, top.back().y, 0.0 } }, {} };
 	for (size_t i = top.size(); i-- > 0;) {
@@ -80,13 +96,42 @@ void add_wall(Roof &roof, uint32_t edge, const std::vector<glm::dvec3> &top) {
 	}
 }
 
-void add_bottom(Roof &roof, const Loop &loop) {
-	RoofFace bottom{ RoofPart::Bottom, 0, {}, {} };
-	for (const glm::dvec2 &point : loop) {
-		bottom.outline.push_back({ point, 0.0 });
+void add_walls(Roof &roof, const RoofOutline &outline, const Profile &profile) {
+	uint32_t index = 0;
+	for (const Loop &loop : outline) {
+		for (size_t i = 0; i < loop.size(); ++i, ++index) {
+			const glm::dvec2 a = loop[i], b = loop[(i + 1) % loop.size()];
+			std::vector<glm::dvec3> top = { { a, profile.height(a) } };
+			const double da = glm::dot(profile.normal, a) - profile.offset, db = glm::dot(profile.normal, b) - profile.offset;
+			if (profile.has_ridge && ((da > tiny && db < -tiny) || (da < -tiny && db > tiny))) {
+				const glm::dvec2 ridge = a + (b - a) * (da / (da - db));
+				top.push_back({ ridge, profile.height(ridge) });
+			}
+			top.push_back({ b, profile.height(b) });
+			add_wall(roof, index, top);
+		}
 	}
-	std::reverse(bottom.outline.begin() + 1, bottom.outline.end());
+}
+
+void add_bottom(Roof &roof, const RoofOutline &outline) {
+	RoofFace bottom{ RoofPart::Bottom, 0, {}, {} };
+	for (size_t l = 0; l < outline.size(); ++l) {
+		std::vector<glm::dvec3> loop;
+		for (const glm::dvec2 &point : outline[l]) {
+			loop.push_back({ point, 0.0 });
+		}
+		std::reverse(loop.begin() + 1, loop.end());
+		if (l == 0) {
+			bottom.outline = std::move(loop);
+		} else {
+			bottom.holes.push_back(std::move(loop));
+		}
+	}
 	roof.faces.push_back(std::move(bottom));
+}
+
+void sort_by_edge(Roof &roof) {
+	std::stable_sort(roof.faces.begin(), roof.faces.end(), [](const RoofFace &a, const RoofFace &b) { return a.edge < b.edge; });
 }
 
 void extent(const Loop &loop, glm::dvec2 normal, double &low, double &high) {
@@ -100,57 +145,95 @@ void extent(const Loop &loop, glm::dvec2 normal, double &low, double &high) {
 
 bool is_usable(const RoofOutline &outline) { return !outline.empty() && outline[0].size() >= 3; }
 
+// A convex outline with the edges along the ridge moved outwards by `eaves`, the others by `gables`.
+RoofOutline overhanging(const RoofOutline &outline, glm::dvec2 along, double eaves, double gables) {
+	const Loop &loop = outline[0];
+	const size_t count = loop.size();
+	const auto outwards = [&](size_t i) {
+		const glm::dvec2 side = glm::normalize(loop[(i + 1) % count] - loop[i % count]);
+		const bool is_eave = std::abs(glm::dot(side, along)) > 0.7071;
+		return glm::dvec2(side.y, -side.x) * (is_eave ? eaves : gables);
+	};
+	Loop result;
+	for (size_t i = 0; i < count; ++i) {
+		const glm::dvec2 before = outwards(i + count - 1), after = outwards(i);
+		const glm::dvec2 side = loop[i] - loop[(i + count - 1) % count], next = loop[(i + 1) % count] - loop[i];
+		const double bend = side.x * next.y - side.y * next.x;
+		// Where the two lines that were moved meet.
+		const glm::dvec2 gap = after - before;
+		const double share = std::abs(bend) > 1e-9 * glm::length(side) * glm::length(next) ? (gap.x * next.y - gap.y * next.x) / bend : 0.0;
+		result.push_back(loop[i] + before + side * share);
+	}
+	return { result };
+}
+
+// The same upside down, for negative slopes: z turns round, and with it the way that faces run.
+void turn_over(Roof &roof) {
+	const auto turn = [](std::vector<glm::dvec3> &loop) {
+		for (glm::dvec3 &point : loop) {
+			point.z = -point.z;
+		}
+		std::reverse(loop.begin(), loop.end());
+		std::rotate(loop.begin(), loop.end() - 2, loop.end());
+	};
+	for (RoofFace &face : roof.faces) {
+		turn(face.outline);
+		std::for_each(face.holes.begin(), face.holes.end(), turn);
+	}
+}
+
 } // namespace
 
-Roof roof_along(const RoofOutline &outline, RoofSlope slope, glm::dvec2 direction) {
+Roof roof_along(const RoofOutline &outline, RoofSlope slope, glm::dvec2 direction, double overhang_eaves, double overhang_gables) {
 	Roof roof;
 	if (!is_usable(outline) || glm::dot(direction, direction) < tiny) {
 		roof.is_complete = false;
 		return roof;
 	}
-	const Loop &loop = outline[0];
 	const glm::dvec2 along = glm::normalize(direction), across(-along.y, along.x);
 	double low, high;
-	extent(loop, across, low, high);
+	extent(outline[0], across, low, high);
 	const double middle = (low + high) / 2.0, half = (high - low) / 2.0;
 	const double rise = slope.is_height ? slope.value / half : std::tan(glm::radians(slope.value));
-	const RoofPlane near{ across, low, rise }, far{ -across, -high, rise };
-	add_plane(roof, clip(loop, -across, -middle), near);
-	add_plane(roof, clip(loop, across, middle), far);
-	for (uint32_t i = 0; i < loop.size(); ++i) {
-		const glm::dvec2 a = loop[i], b = loop[(i + 1) % loop.size()];
-		const double da = glm::dot(across, a) - middle, db = glm::dot(across, b) - middle;
-		std::vector<glm::dvec3> top = { { a, rise * (half - std::abs(da)) } };
-		if ((da > tiny && db < -tiny) || (da < -tiny && db > tiny)) {
-			top.push_back({ a + (b - a) * (da / (da - db)), rise * half });
-		}
-		top.push_back({ b, rise * (half - std::abs(db)) });
-		add_wall(roof, i, top);
+	const Profile profile{ across, middle, rise, true, half };
+	const bool has_overhang = overhang_eaves > tiny || overhang_gables > tiny;
+	const RoofOutline eaves = has_overhang ? overhanging(outline, along, overhang_eaves / std::sqrt(1.0 + rise * rise), overhang_gables) : outline;
+	for (const RoofOutline &part : cut_outline(eaves, -across, -middle)) {
+		add_plane(roof, part, profile, eaves);
 	}
-	add_bottom(roof, loop);
+	for (const RoofOutline &part : cut_outline(eaves, across, middle)) {
+		add_plane(roof, part, profile, eaves);
+	}
+	add_walls(roof, outline, profile);
+	sort_by_edge(roof);
+	add_bottom(roof, outline);
 	return roof;
 }
 
-Roof roof_shed(const RoofOutline &outline, RoofSlope slope, uint32_t edge) {
+Roof roof_shed(const RoofOutline &outline, RoofSlope slope, int edge) {
 	Roof roof;
 	if (!is_usable(outline)) {
 		roof.is_complete = false;
 		return roof;
 	}
 	const Loop &loop = outline[0];
-	const glm::dvec2 a = loop[edge % loop.size()], b = loop[(edge + 1) % loop.size()];
+	const int count = int(loop.size());
+	const size_t first = size_t((edge % count + count) % count);
+	const glm::dvec2 a = loop[first], b = loop[(first + 1) % loop.size()];
 	const glm::dvec2 along = glm::normalize(b - a), across(-along.y, along.x);
 	double low, high;
 	extent(loop, across, low, high);
-	const double rise = slope.is_height ? slope.value / (high - low) : std::tan(glm::radians(slope.value));
+	const double value = std::abs(slope.value);
+	const double rise = slope.is_height ? value / (high - low) : std::tan(glm::radians(value));
 	// A concave outline may lie partly before the edge: the plane starts at its lowest point.
-	const RoofPlane plane{ across, low, rise };
-	add_plane(roof, loop, plane);
-	for (uint32_t i = 0; i < loop.size(); ++i) {
-		const glm::dvec2 p = loop[i], q = loop[(i + 1) % loop.size()];
-		add_wall(roof, i, { { p, plane.height(p) }, { q, plane.height(q) } });
+	const Profile profile{ across, low, rise };
+	add_plane(roof, outline, profile, outline);
+	add_walls(roof, outline, profile);
+	sort_by_edge(roof);
+	add_bottom(roof, outline);
+	if (slope.value < 0.0) {
+		turn_over(roof);
 	}
-	add_bottom(roof, loop);
 	return roof;
 }
 

@@ -4,8 +4,10 @@
 
 namespace pcg {
 
-// Two planes to a ridge in `direction` through the middle of the outline's extent across it, with upright walls below; what roof_ridge and
-// roof_gable with an edge share.
-Roof roof_along(const RoofOutline &outline, RoofSlope slope, glm::dvec2 direction);
+// One outline with its holes on the positive side of the line normal . p = offset; concave ones fall into pieces. Points on the line count as cut away.
+std::vector<RoofOutline> cut_outline(const RoofOutline &outline, glm::dvec2 normal, double offset);
+
+// Two planes to a ridge in that direction through the middle of the outline; overhangs are for convex outlines.
+Roof roof_along(const RoofOutline &outline, RoofSlope slope, glm::dvec2 direction, double overhang_eaves = 0.0, double overhang_gables = 0.0);
 
 } // namespace pcg

@@ -19,21 +19,13 @@ public:
 			: _context(context), _parent(context.shape), _kind(kind), _keeps_axes(keeps_axes) {}
 
 	Flow run(const Block &block) {
-		const Geometry *geometry = baked(_parent, _context.arena);
-		if (geometry == nullptr) {
+		if (!prepare(block)) {
 			return Flow::Next;
 		}
-		_geometry = geometry;
 		_context.record_occluder();
 		if (_kind == ComponentKind::Faces) {
-			_trim = _context.trimmer.source_of(_parent, *geometry, _keeps_axes, _context.arena);
+			_trim = _context.trimmer.source_of(_parent, *_geometry, _keeps_axes, _context.arena);
 		}
-		_components = components_of(*geometry, _kind);
-		if (_kind == ComponentKind::Edges) {
-			name_roof_edges(*geometry, _components);
-		}
-		_entries = _context.vm.entries(block);
-		assign();
 		for (uint32_t i = 0; i < _entries.size(); ++i) {
 			if (run_entry(i) != Flow::Next) {
 				return Flow::Stop;
@@ -42,7 +34,42 @@ public:
 		return Flow::Next;
 	}
 
+	// Of the function comp(): one value for each component, in order; 0, false or "" for those that nobody selects.
+	Value values(const Block &block) {
+		std::vector<Value> result;
+		ValueType type = ValueType::Number;
+		if (prepare(block)) {
+			result.resize(_components.size());
+			for (uint32_t e = 0; e < _entries.size(); ++e) {
+				const std::vector<std::vector<uint32_t>> groups = groups_of(e);
+				for (uint32_t i = 0; i < groups.size(); ++i) {
+					const Value value = _context.evaluate_on(child_of(_entries[e], groups[i], i, uint32_t(groups.size())), _entries[e].body);
+					type = value.type;
+					std::ranges::for_each(groups[i], [&](uint32_t component) { result[component] = value; });
+				}
+			}
+		}
+		for (Value &value : result) {
+			value = value.is_void() ? _context.vm.default_of(type) : value;
+		}
+		return Value::of(_context.vm.make_array(result, 1, type));
+	}
+
 private:
+	bool prepare(const Block &block) {
+		_geometry = baked(_parent, _context.arena);
+		if (_geometry == nullptr) {
+			return false;
+		}
+		_components = components_of(*_geometry, _kind);
+		if (_kind == ComponentKind::Edges) {
+			name_roof_edges(*_geometry, _components);
+		}
+		_entries = _context.vm.entries(block);
+		assign();
+		return true;
+	}
+
 	bool is_face_kind() const { return _kind == ComponentKind::Faces || _kind == ComponentKind::Groups || _kind == ComponentKind::Materials; }
 
 	// Each component goes to the first entry that selects it.
@@ -103,37 +130,60 @@ private:
 											 : edge_shape(_parent, _infos, _keeps_axes, is_roof_edge, _context.builder, _context.arena);
 	}
 
-	Flow run_entry(uint32_t index) {
-		const BlockEntry &entry = _entries[index];
+	// The components that are one shape together.
+	std::vector<std::vector<uint32_t>> groups_of(uint32_t index) {
+		const std::vector<uint32_t> mine = components_of_entry(index);
+		if (_entries[index].separator == BlockEntry::Separator::Connected) {
+			return connected_groups(mine);
+		}
+		if (_entries[index].separator == BlockEntry::Separator::All) {
+			return mine.empty() ? std::vector<std::vector<uint32_t>>() : std::vector<std::vector<uint32_t>>{ mine };
+		}
+		std::vector<std::vector<uint32_t>> groups;
+		for (const uint32_t component : mine) {
+			groups.push_back({ component });
+		}
+		return groups;
+	}
+
+	std::vector<uint32_t> components_of_entry(uint32_t index) const {
 		std::vector<uint32_t> mine;
 		for (uint32_t i = 0; i < _components.size(); ++i) {
 			if (_entry_of[i] == index) {
 				mine.push_back(i);
 			}
 		}
-		if (entry.separator == BlockEntry::Separator::All && !mine.empty()) {
-			return run_one(entry, mine, 0, 1);
-		}
+		return mine;
+	}
+
+	Flow run_entry(uint32_t index) {
+		const BlockEntry &entry = _entries[index];
 		Flow flow = Flow::Next;
-		if (entry.separator == BlockEntry::Separator::Connected) {
-			const std::vector<std::vector<uint32_t>> groups = connected_groups(mine);
+		if (entry.separator != BlockEntry::Separator::Each) {
+			const std::vector<std::vector<uint32_t>> groups = groups_of(index);
 			for (uint32_t i = 0; i < groups.size() && flow == Flow::Next; ++i) {
 				flow = run_one(entry, groups[i], i, uint32_t(groups.size()));
 			}
 			return flow;
 		}
+		const std::vector<uint32_t> mine = components_of_entry(index);
 		for (uint32_t i = 0; i < mine.size() && flow == Flow::Next; ++i) {
 			flow = run_one(entry, std::span(mine).subspan(i, 1), i, uint32_t(mine.size()));
 		}
 		return flow;
 	}
 
-	Flow run_one(const BlockEntry &entry, std::span<const uint32_t> components, uint32_t index, uint32_t total) {
+	Shape child_of(const BlockEntry &entry, std::span<const uint32_t> components, uint32_t index, uint32_t total) {
 		Shape child = shape_of(components, is_roof_edge(selector_of_entry(entry).kind));
 		child.comp_index = index;
 		child.comp_total = total;
 		child.comp_selector = entry.word;
 		child.comp_entry = uint32_t(&entry - _context.vm.program().entries.data());
+		return child;
+	}
+
+	Flow run_one(const BlockEntry &entry, std::span<const uint32_t> components, uint32_t index, uint32_t total) {
+		Shape child = child_of(entry, components, index, total);
 		if (_trim != nullptr && entry.separator == BlockEntry::Separator::Each) {
 			child.trim = _trim;
 			child.trim_face = _components[components[0]].face;
@@ -193,13 +243,20 @@ private:
 	std::vector<const ComponentInfo *> _infos;
 };
 
-Flow comp(Vm &vm, const Args &args) {
+ComponentSplit split_of(Context &context, const Args &args) {
 	using enum ComponentKind;
 	static constexpr ComponentKind kinds[] = { Faces, Edges, Vertices, FaceEdges, FaceVertices, Groups, Materials, Holes };
+	return ComponentSplit(context, kinds[args[0].word], args.count() > 1 && args[1].word == 1);
+}
+
+Flow comp(Vm &vm, const Args &args) {
 	Context &context = Context::of(vm);
 	context.mark_replaced();
-	const bool keeps_axes = args.count() > 1 && args[1].word == 1;
-	return args.block == nullptr ? Flow::Next : ComponentSplit(context, kinds[args[0].word], keeps_axes).run(*args.block);
+	return args.block == nullptr ? Flow::Next : split_of(context, args).run(*args.block);
+}
+
+Value comp_values(Vm &vm, const Args &args) {
+	return args.block == nullptr ? Value::of(vm.make_array({})) : split_of(Context::of(vm), args).values(*args.block);
 }
 
 Value is_selected(Vm &vm, const Args &args) {
@@ -217,9 +274,13 @@ Value is_tagged(Vm &vm, const Args &) {
 
 void add_component_operations(Dialect &dialect) {
 	using enum ParamKind;
-	dialect.operations.push_back({ "comp", { { "kind", Word, "f e v fe fv g m h" }, { "axes", Word, "zUp noAlign", true } }, BlockKind::Selectors, comp,
+	const std::vector<ParamSpec> kinds = { { "kind", Word, "f e v fe fv g m h" }, { "axes", Word, "zUp noAlign", true } };
+	dialect.operations.push_back({ "comp", kinds, BlockKind::Selectors, comp,
 			"Makes shapes of faces (f), edges (e: shared ones once, fe: of each face), vertices (v: shared ones once, fv: of each face), everything (g), materials "
 			"(m) or holes (h). Each goes to the first selector that fits; `=` puts all of one selector into one shape, `=:` each connected set." });
+	dialect.functions.push_back({ "comp", kinds, ValueType::Array, comp_values,
+			"comp(fe) { street.front : 5 | all : scope.sx }: an array with a value for each component; 0, false or \"\" for those that nothing selects.", false, nullptr,
+			true });
 	dialect.functions.push_back({ "isSelected", { { "selector", Text } }, ValueType::Bool, is_selected,
 			"In the selectors of a block: whether the component fits a selector word. `top && geometry.area > 3` is short for isSelected(\"top\") && .." });
 	dialect.functions.push_back({ "isTagged", { { "tag", Text }, { "part", Word, "e v", true } }, ValueType::Bool, is_tagged,

@@ -1,8 +1,11 @@
 #include "core/geometry/roof.h"
 
+#include <cmath>
+
 #include <glm/matrix.hpp>
 
 #include "core/cga/context.h"
+#include "core/cga/edges.h"
 #include "core/cga/operations/operations.h"
 #include "core/geometry/polygon.h"
 
@@ -16,6 +19,7 @@ struct RoofArgs {
 	double first = 0.0, second = 0.0; // overhangs
 	bool is_even = false;
 	int edge = -1;
+	glm::dvec2 along{ 1.0, 0.0 }; // x of the scope, in the face
 };
 
 using RoofMaker = Roof (*)(const RoofOutline &outline, const RoofArgs &args);
@@ -39,7 +43,13 @@ void add_loop(GeometryBuilder &builder, const std::vector<glm::dvec3> &loop, con
 	builder.end_loop();
 }
 
-Flow make_roof(Context &context, const RoofArgs &args, RoofMaker maker) {
+bool is_closed(const Geometry &geometry) {
+	bool result = true;
+	for_each_edge_group(grouped_edges(geometry), [&](std::span<const FaceEdge> group) { result &= group.size() == 2; });
+	return result;
+}
+
+Flow make_roof(Context &context, RoofArgs args, RoofMaker maker) {
 	Shape &shape = context.shape;
 	const Geometry *geometry = baked(shape, context.arena);
 	if (geometry == nullptr) {
@@ -54,6 +64,8 @@ Flow make_roof(Context &context, const RoofArgs &args, RoofMaker maker) {
 			continue;
 		}
 		const Frame frame = { axes_from_z(face_normal(*geometry, face), points[1] - points[0]), points[0] };
+		const glm::dvec2 along(frame.axes[0].x, frame.axes[1].x);
+		args.along = glm::dot(along, along) > 1e-12 ? along : glm::dvec2(1.0, 0.0);
 		const Roof roof = maker(flat_outline(*geometry, face, frame), args);
 		is_complete &= roof.is_complete;
 		for (const RoofFace &part : roof.faces) {
@@ -68,28 +80,46 @@ Flow make_roof(Context &context, const RoofArgs &args, RoofMaker maker) {
 		context.vm.warn("broken-roof", "this roof is incomplete: its outline crosses itself or is too small");
 	}
 	const glm::dvec3 normal = face_normal(*geometry, geometry->faces[0]);
-	if (const Geometry *roof = builder.finish(context.arena, is_complete)) {
+	if (const Geometry *roof = builder.finish(context.arena, false)) {
+		roof = is_complete && is_closed(*roof) ? builder.finish(context.arena, true) : roof; // overhangs leave it open
 		set_geometry(shape, roof);
 		turn_scope(shape, axes_from_y(normal, { 1.0, 0.0, 0.0 }), context.builder, context.arena);
 	}
 	return Flow::Next;
 }
 
-// Angles outside of (0, 90) and heights that are not positive make no roof.
-bool read_slope(Context &context, const Value &value, bool is_height, RoofSlope &slope) {
+// Angles outside of (0, 90) and heights that are not positive make no roof; a shed may also fall.
+bool read_slope(Context &context, const Value &value, bool is_height, bool may_fall, RoofSlope &slope) {
 	slope = { context.finite(value), is_height };
-	if (slope.value > 0.0 && (is_height || slope.value < 89.9)) {
+	const double size = may_fall ? std::abs(slope.value) : slope.value;
+	if (size > 0.0 && (is_height || size < 89.9)) {
 		return true;
 	}
 	context.vm.warn("bad-roof-slope", "a roof needs an angle between 0 and 90 degrees or a positive height; the face is left as it is");
 	return false;
 }
 
+Roof hip(const RoofOutline &outline, const RoofArgs &args) {
+	return roof_hip(outline, args.slope, args.first, args.is_even);
+}
+Roof gable(const RoofOutline &outline, const RoofArgs &args) {
+	return roof_gable(outline, args.slope, args.first, args.second, args.is_even, args.edge);
+}
+Roof ridge(const RoofOutline &outline, const RoofArgs &args) {
+	return roof_ridge(outline, args.slope, args.along);
+}
+Roof shed(const RoofOutline &outline, const RoofArgs &args) {
+	return roof_shed(outline, args.slope, std::abs(args.first) < 1e6 ? int(args.first) : 0);
+}
+Roof pyramid(const RoofOutline &outline, const RoofArgs &args) {
+	return roof_pyramid(outline, args.slope);
+}
+
 // Arguments from `first` on: overhangs, even, edge. `user` of the spec is the maker.
 template <RoofMaker maker> Flow roof(Vm &vm, const Args &args, bool is_height, size_t first) {
 	Context &context = Context::of(vm);
 	RoofArgs roof_args;
-	if (!read_slope(context, args[first], is_height, roof_args.slope)) {
+	if (!read_slope(context, args[first], is_height, maker == shed, roof_args.slope)) {
 		return Flow::Next;
 	}
 	size_t numbers = 0;
@@ -114,23 +144,6 @@ template <RoofMaker maker> Flow by_word(Vm &vm, const Args &args) {
 	return roof<maker>(vm, args, args[0].word == 1, 1);
 }
 
-Roof hip(const RoofOutline &outline, const RoofArgs &args) {
-	return roof_hip(outline, args.slope, args.first, args.is_even);
-}
-Roof gable(const RoofOutline &outline, const RoofArgs &args) {
-	return roof_gable(outline, args.slope, args.first, args.second, args.is_even, args.edge);
-}
-Roof ridge(const RoofOutline &outline, const RoofArgs &args) {
-	return roof_ridge(outline, args.slope);
-}
-Roof shed(const RoofOutline &outline, const RoofArgs &args) {
-	const double edge = args.first;
-	return roof_shed(outline, args.slope, edge >= 0.0 && edge < 1e6 ? uint32_t(edge) % uint32_t(outline[0].size()) : 0);
-}
-Roof pyramid(const RoofOutline &outline, const RoofArgs &args) {
-	return roof_pyramid(outline, args.slope);
-}
-
 template <RoofMaker maker> void add_roof(Dialect &dialect, std::string_view name, std::vector<ParamSpec> more, std::string_view help) {
 	using enum ParamKind;
 	std::vector<ParamSpec> with_angle = { { "angle", Number } };
@@ -150,8 +163,8 @@ void add_roof_operations(Dialect &dialect) {
 	add_roof<hip>(dialect, "roofHip", { { "overhang", Number, {}, true }, even }, "A roof with a sloped plane on each edge.");
 	add_roof<gable>(dialect, "roofGable", { { "overhangX", Number, {}, true }, { "overhangY", Number, {}, true }, even, edge },
 			"A roof with upright gables at its ends.");
-	add_roof<ridge>(dialect, "roofRidge", {}, "Two planes to one ridge along the first edge's direction.");
-	add_roof<shed>(dialect, "roofShed", { edge }, "One plane that rises from an edge.");
+	add_roof<ridge>(dialect, "roofRidge", {}, "Two planes to one ridge that runs as x of the scope does; the walls follow the outline.");
+	add_roof<shed>(dialect, "roofShed", { edge }, "One plane that rises from an edge, or falls from it if the angle is negative; edges below 0 count from the last.");
 	add_roof<pyramid>(dialect, "roofPyramid", {}, "Triangles to a point above the middle.");
 }
 
