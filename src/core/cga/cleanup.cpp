@@ -109,26 +109,6 @@ void drop_small(IndexedFaces &indexed, double area) {
 	}
 }
 
-const Geometry *rebuild(const Geometry &geometry, const IndexedFaces &indexed, GeometryBuilder &builder, Arena &arena) {
-	builder.begin(geometry, glm::dmat3(1.0));
-	for (const Face &face : indexed.faces) {
-		for (const Loop &loop : face.loops) {
-			for (const Corner &corner : loop) {
-				builder.add_corner(indexed.vertices[corner.vertex], corner.source);
-			}
-			builder.end_loop(std::min<size_t>(loop.size(), 3));
-		}
-		builder.end_face(geometry.faces[face.source].tag, geometry.faces[face.source].material);
-	}
-	const Geometry *result = builder.finish(arena, false);
-	if (result == nullptr || !geometry.is_closed) {
-		return result;
-	}
-	bool is_closed = true;
-	for_each_edge_group(grouped_edges(*result), [&](std::span<const FaceEdge> group) { is_closed &= group.size() == 2; });
-	return is_closed ? builder.finish(arena, true) : result;
-}
-
 // The geometry in scope coordinates becomes the shape's own; the scope stays.
 void put(Shape &shape, const Geometry *geometry) {
 	shape.geometry = geometry;
@@ -203,7 +183,7 @@ void clean_up(Shape &shape, const Cleanup &cleanup, GeometryBuilder &builder, Ar
 	if (cleanup.faces) { // last: what was small may have become part of something larger
 		drop_small(indexed, std::max(tolerance, 1e-9));
 	}
-	put(shape, rebuild(*geometry, indexed, builder, arena));
+	put_faces(shape, *geometry, indexed, builder, arena);
 }
 
 void soften_normals(Shape &shape, double angle, Arena &arena) {

@@ -20,4 +20,7 @@ void soften_normals(Shape &shape, double angle, Arena &arena);
 // Turns faces so that neighbours look to the same side, outwards where they enclose something, else up in the world (op_setNormals: conform).
 void conform_normals(Shape &shape, GeometryBuilder &builder, Arena &arena);
 
+// Takes that share of the vertices away, 0 to 1, with as little change as it can; faces that lose no vertex stay as they are (op_reduceGeometry).
+void reduce(Shape &shape, double share, GeometryBuilder &builder, Arena &arena);
+
 } // namespace pcg::cga

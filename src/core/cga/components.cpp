@@ -203,6 +203,15 @@ void set_pivot(Shape &shape, const Shape &parent, const Frame &local, Arena &are
 	shape.rotation = glm::dmat3(1.0);
 }
 
+// x along an edge, z as near to its normal as that leaves; of vertices z is the normal.
+glm::dmat3 edge_axes(glm::dvec3 normal, glm::dvec3 along) {
+	if (glm::length(along) < 1e-12) {
+		return axes_from_z(normal, along);
+	}
+	const glm::dvec3 x = glm::normalize(along), z = axes_from_z(x, normal)[0];
+	return { x, glm::cross(z, x), z };
+}
+
 // Edges and vertices keep where they face, one for each of the geometry's faces, for extrude().
 const Geometry *with_noted_normals(const Geometry &geometry, std::span<const ComponentInfo *const> infos, const Frame &frame, Arena &arena) {
 	glm::dvec3 *normals = arena.allocate<glm::dvec3>(geometry.point_count);
@@ -265,7 +274,7 @@ Shape edge_shape(const Shape &parent, std::span<const ComponentInfo *const> info
 	const auto to = [&](const ComponentInfo &info) { return is_roof_edge && info.runs_back ? info.from : info.to; };
 	const ComponentInfo &first = *infos[0];
 	if (!keeps_axes) {
-		frame = { axes_from_z(first.component.normal, to(first) - from(first)), from(first) };
+		frame = { edge_axes(first.component.normal, to(first) - from(first)), from(first) };
 		set_pivot(shape, parent, frame, arena);
 	}
 	builder.clear();

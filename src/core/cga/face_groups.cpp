@@ -9,6 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/cga/edges.h"
 #include "core/geometry/polygon.h"
 
 namespace pcg::cga {
@@ -232,6 +233,26 @@ private:
 	std::map<EdgeKey, std::vector<DirectedEdge>> _edges;
 };
 
+const Geometry *rebuild(const Geometry &geometry, const IndexedFaces &indexed, GeometryBuilder &builder, Arena &arena) {
+	builder.begin(geometry, glm::dmat3(1.0));
+	for (const Face &face : indexed.faces) {
+		for (const Loop &loop : face.loops) {
+			for (const Corner &corner : loop) {
+				builder.add_corner(indexed.vertices[corner.vertex], corner.source);
+			}
+			builder.end_loop(std::min<size_t>(loop.size(), 3));
+		}
+		builder.end_face(geometry.faces[face.source].tag, geometry.faces[face.source].material);
+	}
+	const Geometry *result = builder.finish(arena, false);
+	if (result == nullptr || !geometry.is_closed) {
+		return result;
+	}
+	bool is_closed = true;
+	for_each_edge_group(grouped_edges(*result), [&](std::span<const FaceEdge> group) { is_closed &= group.size() == 2; });
+	return is_closed ? builder.finish(arena, true) : result;
+}
+
 } // namespace
 
 IndexedFaces index_faces(const Geometry &geometry, double distance) {
@@ -257,6 +278,12 @@ IndexedFaces index_faces(const Geometry &geometry, double distance) {
 		result.faces.push_back(std::move(face));
 	}
 	return result;
+}
+
+void put_faces(Shape &shape, const Geometry &geometry, const IndexedFaces &indexed, GeometryBuilder &builder, Arena &arena) {
+	shape.geometry = rebuild(geometry, indexed, builder, arena);
+	shape.geometry_offset = glm::dvec3(0.0);
+	shape.geometry_scale = glm::dvec3(1.0);
 }
 
 void join_coplanar(const Geometry &geometry, IndexedFaces &indexed, double angle) { Joiner(geometry, indexed, angle).run(); }

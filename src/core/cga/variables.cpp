@@ -93,7 +93,10 @@ std::string_view selector_text(const Program &program, const BlockEntry &entry) 
 	}
 	std::string_view text = program.sources[entry.place.file]->line(entry.place.line);
 	text.remove_prefix(std::min<size_t>(entry.place.column - 1, text.size()));
-	const auto is_comparison = [&](size_t i) { return text[i] == '=' && ((i + 1 < text.size() && text[i + 1] == '=') || (i > 0 && std::string_view("=<>!").find(text[i - 1]) != std::string_view::npos)); };
+	const auto is_comparison = [&](size_t i) {
+		const bool follows = i > 0 && std::string_view("=<>!").find(text[i - 1]) != std::string_view::npos;
+		return follows || (i + 1 < text.size() && text[i + 1] == '=');
+	};
 	size_t end = 0;
 	for (bool is_quoted = false; end < text.size(); ++end) {
 		is_quoted ^= text[end] == '"';

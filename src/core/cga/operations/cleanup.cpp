@@ -33,6 +33,12 @@ Flow soften(Vm &vm, const Args &args) {
 	return Flow::Next;
 }
 
+Flow reduce_vertices(Vm &vm, const Args &args) {
+	Context &context = Context::of(vm);
+	reduce(context.shape, context.finite(args[0]), context.builder, context.arena);
+	return Flow::Next;
+}
+
 } // namespace
 
 void add_cleanup_operations(Dialect &dialect) {
@@ -44,6 +50,8 @@ void add_cleanup_operations(Dialect &dialect) {
 	operations.push_back({ "setNormals", { { "mode", Word, "soft hard auto conform" } }, BlockKind::None, set_normals,
 			"How edges are shaded: as if they were round (soft), as edges (hard), or soft below 30 degrees (auto); conform turns all faces to the outside." });
 	operations.push_back({ "softenNormals", { { "angle", Number } }, BlockKind::None, soften, "Shades edges softly where faces meet at less than this angle." });
+	operations.push_back({ "reduceGeometry", { { "share", Number } }, BlockKind::None, reduce_vertices,
+			"Takes that share of the vertices away, 0 to 1, where the surface changes least." });
 }
 
 } // namespace pcg::cga
