@@ -28,7 +28,8 @@ public:
 	// Of all edges, selected or not, in order of comp(fe).
 	size_t edge_count() const { return _edges.size(); }
 	Shape edge(uint32_t index) {
-		Shape shape = edge_shape(_parent, _edges[index], _context.arena);
+		const ComponentInfo *info = &_edges[index];
+		Shape shape = edge_shape(_parent, { &info, 1 }, false, false, _context.builder, _context.arena);
 		shape.comp_index = index;
 		shape.comp_total = uint32_t(_edges.size());
 		return shape;
@@ -99,7 +100,7 @@ private:
 		if (entry.head == Chunk::None || is_word(_context, entry, "remainder")) {
 			return false;
 		}
-		const Value value = _context.evaluate_on(edge(index), entry.head);
+		const Value value = _context.evaluate_selected(edge(index), { &_edges[index].component, &_parent }, entry.head);
 		if (!value.is_number()) {
 			return value.is_bool() && value.boolean;
 		}
