@@ -300,14 +300,15 @@ Shape hole_shape(const Shape &parent, const Geometry &geometry, std::span<const 
 		frame = { axes_from_z(holes[0]->component.normal, first[0] - first[1]), first[1] };
 		set_pivot(shape, parent, frame, arena);
 	}
-	builder.clear();
+	builder.begin(geometry, glm::dmat3(0.0));
 	for (const ComponentInfo *hole : holes) {
-		const auto loop = geometry.loop(hole->loop);
-		for (size_t i = 0; i < loop.size(); ++i) { // the other way around, its first edge first
-			builder.add_point(frame.to_local(loop[(loop.size() + 1 - i) % loop.size()]));
+		const uint32_t first_corner = geometry.first_point(hole->loop), count = geometry.loop_ends[hole->loop] - first_corner;
+		for (uint32_t i = 0; i < count; ++i) { // the other way around, its first edge first
+			const uint32_t corner = first_corner + (count + 1 - i) % count;
+			builder.add_corner(frame.to_local(geometry.points[corner]), corner);
 		}
 		builder.end_loop();
-		builder.end_face();
+		builder.end_face(FaceTag::None, geometry.faces[hole->face].material);
 	}
 	set_geometry(shape, builder.finish(arena, false));
 	return shape;

@@ -178,25 +178,25 @@ private:
 			for (size_t i = 0; i < count; ++i) {
 				const uint32_t from = corner_of(l, i), to = corner_of(l, (i + 1) % count);
 				if (_is_inner.empty() || !_is_inner[_is_flipped ? to : from]) {
-					add_wall(from, to, normal);
+					add_wall(face, from, to, normal);
 				}
 			}
 		}
 	}
 
-	void add_wall(uint32_t from, uint32_t to, glm::dvec3 normal) {
+	void add_wall(const GeometryFace &face, uint32_t from, uint32_t to, glm::dvec3 normal) {
 		_builder.add_corner(_geometry.points[from], from);
 		_builder.add_corner(_geometry.points[to], to);
 		_builder.add_corner(raised(to, normal), to);
 		_builder.add_corner(raised(from, normal), from);
 		_builder.end_loop();
-		_builder.end_face();
+		_builder.end_face(FaceTag::None, face.material);
 	}
 
 	void add_band(const GeometryFace &face, glm::dvec3 normal) {
 		if (_geometry.outline(face).size() == 2) {
 			const uint32_t from = _geometry.first_point(face.first_loop);
-			add_wall(from, from + 1, normal);
+			add_wall(face, from, from + 1, normal);
 		}
 	}
 

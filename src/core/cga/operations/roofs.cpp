@@ -73,7 +73,7 @@ Flow make_roof(Context &context, RoofArgs args, RoofMaker maker) {
 			for (const auto &hole : part.holes) {
 				add_loop(builder, hole, frame);
 			}
-			builder.end_face();
+			builder.end_face(FaceTag::None, face.material);
 		}
 	}
 	if (!is_complete) {
