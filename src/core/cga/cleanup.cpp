@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <set>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "core/cga/disjoint_sets.h"
 #include "core/cga/edges.h"
 #include "core/cga/face_groups.h"
 #include "core/geometry/polygon.h"
@@ -118,25 +118,6 @@ void put(Shape &shape, const Geometry *geometry) {
 
 // --- Normals
 
-class Sets {
-public:
-	explicit Sets(size_t count) : _parents(count) { std::iota(_parents.begin(), _parents.end(), 0); }
-	uint32_t find(uint32_t i) {
-		while (_parents[i] != i) {
-			i = _parents[i] = _parents[_parents[i]];
-		}
-		return i;
-	}
-	void join(uint32_t a, uint32_t b) {
-		a = find(a);
-		b = find(b);
-		_parents[std::max(a, b)] = std::min(a, b);
-	}
-
-private:
-	std::vector<uint32_t> _parents;
-};
-
 std::vector<glm::dvec3> normals_of(const Geometry &geometry) {
 	std::vector<glm::dvec3> normals;
 	for (uint32_t f = 0; f < geometry.face_count; ++f) {
@@ -146,8 +127,8 @@ std::vector<glm::dvec3> normals_of(const Geometry &geometry) {
 }
 
 // Corners at one vertex that are shaded as one, because the edges between their faces are soft.
-Sets soft_corners(const Geometry &geometry, const std::vector<glm::dvec3> &normals, double angle) {
-	Sets sets(geometry.point_count);
+DisjointSets soft_corners(const Geometry &geometry, const std::vector<glm::dvec3> &normals, double angle) {
+	DisjointSets sets(geometry.point_count);
 	const double cosine = angle >= 180.0 ? -2.0 : std::cos(angle * 0.017453292519943295);
 	for_each_edge_group(grouped_edges(geometry), [&](std::span<const FaceEdge> group) {
 		for (size_t i = 1; i < group.size(); ++i) {
@@ -195,7 +176,7 @@ void soften_normals(Shape &shape, double angle, Arena &arena) {
 	corners->normals = nullptr;
 	if (angle > 0.0) {
 		const std::vector<glm::dvec3> normals = normals_of(*geometry);
-		Sets sets = soft_corners(*geometry, normals, angle);
+		DisjointSets sets = soft_corners(*geometry, normals, angle);
 		std::vector<glm::dvec3> sums(geometry->point_count, glm::dvec3(0.0));
 		for (const FaceEdge &edge : face_edges(*geometry)) {
 			sums[sets.find(edge.corner)] += normals[edge.face];

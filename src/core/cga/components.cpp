@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "core/cga/disjoint_sets.h"
 #include "core/cga/edges.h"
 #include "core/geometry/polygon.h"
 
@@ -315,27 +316,45 @@ Shape hole_shape(const Shape &parent, const Geometry &geometry, std::span<const 
 }
 
 std::vector<uint32_t> connected_sets(const Geometry &geometry, std::span<const uint32_t> faces) {
-	std::vector<uint32_t> set_of(geometry.face_count, UINT32_MAX);
+	std::vector<bool> is_asked(geometry.face_count, false);
 	for (const uint32_t face : faces) {
-		set_of[face] = face;
+		is_asked[face] = true;
 	}
-	const std::vector<FaceEdge> edges = grouped_edges(geometry);
-	for (bool has_changed = true; has_changed;) { // the smallest number spreads over shared edges
-		has_changed = false;
-		for_each_edge_group(edges, [&](std::span<const FaceEdge> group) {
-			uint32_t least = UINT32_MAX;
-			for (const FaceEdge &edge : group) {
-				least = std::min(least, set_of[edge.face]);
+	DisjointSets sets(geometry.face_count);
+	for_each_edge_group(grouped_edges(geometry), [&](std::span<const FaceEdge> group) {
+		uint32_t first = UINT32_MAX;
+		for (const FaceEdge &edge : group) {
+			if (is_asked[edge.face]) {
+				first = first == UINT32_MAX ? edge.face : first;
+				sets.join(first, edge.face);
 			}
-			for (const FaceEdge &edge : group) {
-				if (set_of[edge.face] != UINT32_MAX && set_of[edge.face] > least) {
-					set_of[edge.face] = least;
-					has_changed = true;
-				}
-			}
-		});
+		}
+	});
+	std::vector<uint32_t> result(geometry.face_count, UINT32_MAX);
+	for (const uint32_t face : faces) {
+		result[face] = sets.find(face);
 	}
-	return set_of;
+	return result;
+}
+
+std::vector<uint32_t> connected_edges(std::span<const ComponentInfo> edges, std::span<const uint32_t> asked) {
+	std::vector<std::pair<PointKey, uint32_t>> ends;
+	for (const uint32_t edge : asked) {
+		ends.push_back({ key_of(edges[edge].from), edge });
+		ends.push_back({ key_of(edges[edge].to), edge });
+	}
+	std::ranges::sort(ends);
+	DisjointSets sets(edges.size());
+	for (size_t i = 1; i < ends.size(); ++i) {
+		if (ends[i].first == ends[i - 1].first) {
+			sets.join(ends[i].second, ends[i - 1].second);
+		}
+	}
+	std::vector<uint32_t> result(edges.size(), UINT32_MAX);
+	for (const uint32_t edge : asked) {
+		result[edge] = sets.find(edge);
+	}
+	return result;
 }
 
 } // namespace pcg::cga

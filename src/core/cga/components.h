@@ -40,5 +40,7 @@ Shape hole_shape(const Shape &parent, const Geometry &geometry, std::span<const 
 
 // Numbers the sets of faces that hang together by edges, in order of their first face.
 std::vector<uint32_t> connected_sets(const Geometry &geometry, std::span<const uint32_t> faces);
+// The same for edges that share an end.
+std::vector<uint32_t> connected_edges(std::span<const ComponentInfo> edges, std::span<const uint32_t> asked);
 
 } // namespace pcg::cga

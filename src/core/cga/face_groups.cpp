@@ -177,6 +177,12 @@ private:
 				}
 			}
 		}
+		std::map<uint32_t, size_t> by_start;
+		for (size_t i = 0; i < border.size(); ++i) {
+			if (!by_start.emplace(border[i].from.vertex, i).second) {
+				return std::nullopt; // the border branches
+			}
+		}
 		Face result;
 		result.source = _indexed.faces[set[0]].source;
 		std::vector<bool> is_used(border.size(), false);
@@ -185,7 +191,7 @@ private:
 				continue;
 			}
 			Loop loop;
-			if (!follow(border, i, is_used, loop)) {
+			if (!follow(border, by_start, i, is_used, loop)) {
 				return std::nullopt;
 			}
 			add_loop(result, std::move(loop), _normals[set[0]]);
@@ -204,24 +210,16 @@ private:
 		face.loops.insert(is_outline ? face.loops.begin() : face.loops.end(), std::move(loop));
 	}
 
-	// From one edge of the border around. False: the border branches.
-	static bool follow(const std::vector<DirectedEdge> &border, size_t start, std::vector<bool> &is_used, Loop &loop) {
+	// From one edge of the border around. False: it does not close.
+	static bool follow(const std::vector<DirectedEdge> &border, const std::map<uint32_t, size_t> &by_start, size_t start, std::vector<bool> &is_used, Loop &loop) {
 		for (size_t at = start; !is_used[at];) {
 			is_used[at] = true;
 			loop.push_back(border[at].from);
-			size_t next = border.size();
-			for (size_t i = 0; i < border.size(); ++i) {
-				if (border[i].from.vertex == border[at].to.vertex) {
-					if (next != border.size()) {
-						return false;
-					}
-					next = i;
-				}
-			}
-			if (next == border.size()) {
+			const auto next = by_start.find(border[at].to.vertex);
+			if (next == by_start.end()) {
 				return false;
 			}
-			at = next;
+			at = next->second;
 		}
 		return loop.size() >= 3;
 	}

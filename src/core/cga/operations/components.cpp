@@ -1,6 +1,7 @@
 #include "core/cga/components.h"
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 #include "core/cga/context.h"
@@ -192,41 +193,25 @@ private:
 	}
 
 	// Faces hang together by edges, edges by their ends; anything else stands alone.
-	std::vector<std::vector<uint32_t>> connected_groups(const std::vector<uint32_t> &mine) {
+	std::vector<std::vector<uint32_t>> connected_groups(const std::vector<uint32_t> &mine) const {
 		std::vector<uint32_t> set_of(_components.size());
+		std::iota(set_of.begin(), set_of.end(), 0);
 		if (_kind == ComponentKind::Faces) {
 			set_of = connected_sets(*_geometry, mine);
-		} else {
-			for (uint32_t i = 0; i < set_of.size(); ++i) {
-				set_of[i] = i;
-			}
-			join_edges(mine, set_of);
+		} else if (_kind == ComponentKind::Edges || _kind == ComponentKind::FaceEdges) {
+			set_of = connected_edges(_components, mine);
 		}
 		std::vector<std::vector<uint32_t>> groups;
+		std::vector<uint32_t> group_of(_components.size(), nobody);
 		for (const uint32_t component : mine) {
-			const auto found = std::ranges::find_if(groups, [&](const auto &group) { return set_of[group[0]] == set_of[component]; });
-			if (found == groups.end()) {
-				groups.push_back({ component });
-			} else {
-				found->push_back(component);
+			uint32_t &group = group_of[set_of[component]];
+			if (group == nobody) {
+				group = uint32_t(groups.size());
+				groups.emplace_back();
 			}
+			groups[group].push_back(component);
 		}
 		return groups;
-	}
-
-	void join_edges(const std::vector<uint32_t> &mine, std::vector<uint32_t> &set_of) const {
-		const auto meet = [&](const ComponentInfo &a, const ComponentInfo &b) { return a.from == b.from || a.from == b.to || a.to == b.from || a.to == b.to; };
-		for (bool has_changed = _kind == ComponentKind::Edges || _kind == ComponentKind::FaceEdges; has_changed;) {
-			has_changed = false;
-			for (const uint32_t a : mine) {
-				for (const uint32_t b : mine) {
-					if (set_of[a] < set_of[b] && meet(_components[a], _components[b])) {
-						set_of[b] = set_of[a];
-						has_changed = true;
-					}
-				}
-			}
-		}
 	}
 
 	Context &_context;
