@@ -232,12 +232,17 @@ bool Clipper::add_caps(const Plane &plane) {
 	std::ranges::stable_sort(_cuts, is_before, &Segment::from);
 	std::vector<std::vector<glm::dvec3>> outlines, holes;
 	std::vector<glm::dvec3> loop;
+	double sum = 0.0;
 	while (!_cuts.empty()) {
 		if (!next_cap_loop(loop)) {
 			return false;
 		}
 		const double size = glm::dot(area_vector(loop), -plane.normal);
 		(size > 0.0 ? outlines : holes).push_back(loop);
+		sum += size;
+	}
+	if (sum < 0.0) { // a body that was turned inside out: so is its cap
+		std::swap(outlines, holes);
 	}
 	for (const auto &outline : outlines) {
 		_builder.add_loop(outline);
