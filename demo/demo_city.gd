@@ -5,13 +5,19 @@ const RULES := "res://rules/agenda/weekday.pcg"
 const HOUSEHOLDS := "res://rules/data/households_us_acs2023.csv"
 ## Type of lot: share of the city, rules.
 const LOT_TYPES := {
-	"house": [52.0, "res://rules/cga/house.cga"],
+	"house": [43.0, "res://rules/cga/house.cga"],
+	"row_house": [9.0, "res://rules/cga/row_house.cga"],
 	"apartment": [12.0, "res://rules/cga/apartment.cga"],
-	"workplace": [15.0, "res://rules/cga/workplace.cga"],
-	"shop": [6.0, "res://rules/cga/shop.cga"],
+	"workplace": [9.0, "res://rules/cga/workplace.cga"],
+	"office_tower": [3.0, "res://rules/cga/office_tower.cga"],
+	"workshop": [3.0, "res://rules/cga/workshop.cga"],
+	"shop": [5.0, "res://rules/cga/shop.cga"],
+	"supermarket": [1.0, "res://rules/cga/supermarket.cga"],
 	"restaurant": [3.0, "res://rules/cga/restaurant.cga"],
 	"school": [4.0, "res://rules/cga/school.cga"],
-	"park": [8.0, "res://rules/cga/park.cga"],
+	"town_hall": [0.3, "res://rules/cga/town_hall.cga"],
+	"park": [7.0, "res://rules/cga/park.cga"],
+	"plaza": [0.7, "res://rules/cga/plaza.cga"],
 }
 
 

@@ -11,7 +11,7 @@ const FRAMES_BEFORE_PICTURE := 3 ## shadows and sky need a few
 const MARGIN := 1.06
 const USAGE := "usage: tools/picture.gd -- [--view YAW,PITCH] [--size WxH] [--zoom N] [--sun YAW,HEIGHT] [--ground #RRGGBB] MODEL.glb PICTURE.png .."
 
-var _options := { "--view": "32,20", "--size": "960x600", "--sun": "-38,42", "--ground": "#a5a89e", "--zoom": "2" }
+var _options := { "--view": "32,20", "--size": "960x600", "--sun": "-38,42", "--ground": "#a5a89e", "--zoom": "2" } ## zoom: drawn so much larger and then shrunk
 
 
 func _initialize() -> void:
@@ -48,9 +48,9 @@ func _take_picture(model_file: String, picture_file: String) -> bool:
 	if model == null:
 		return false
 	var size: PackedFloat64Array = _options["--size"].split_floats("x")
-	var zoom: int = _options["--zoom"].to_int()
+	var zoom: float = _options["--zoom"].to_float()
 	var viewport := SubViewport.new()
-	viewport.size = Vector2i(int(size[0]), int(size[1])) * zoom
+	viewport.size = Vector2i(int(size[0] * zoom), int(size[1] * zoom))
 	viewport.own_world_3d = true
 	viewport.msaa_3d = Viewport.MSAA_4X
 	viewport.render_target_update_mode = SubViewport.UPDATE_ALWAYS
@@ -139,7 +139,7 @@ func _make_meadow() -> MeshInstance3D:
 	plane.material = material
 	var meadow := MeshInstance3D.new()
 	meadow.mesh = plane
-	meadow.position.y = -0.06
+	meadow.position.y = -0.02
 	return meadow
 
 
@@ -165,7 +165,8 @@ func _add_camera(viewport: Node, model: Node, aspect: float) -> void:
 	var left := -INF
 	var top := -INF
 	var bottom := -INF
-	for corner: Vector3 in _corners(model, turn):
+	var corners: PackedVector3Array = _corners(model, turn)
+	for corner: Vector3 in corners:
 		right = maxf(right, corner.x + corner.z * slope_x)
 		left = maxf(left, -corner.x + corner.z * slope_x)
 		top = maxf(top, corner.y + corner.z * slope_y)
@@ -176,5 +177,19 @@ func _add_camera(viewport: Node, model: Node, aspect: float) -> void:
 	camera.far = 3000.0
 	camera.near = 0.5
 	viewport.add_child(camera)
-	camera.global_transform = Transform3D(turn, turn * Vector3((right - left) / 2.0, (top - bottom) / 2.0, distance))
+	camera.global_transform = Transform3D(turn, turn * _centred(corners, Vector3((right - left) / 2.0, (top - bottom) / 2.0, distance)))
 	camera.current = true
+
+
+## Shifts the camera sideways until the picture has the same margin on opposite sides.
+func _centred(corners: PackedVector3Array, place: Vector3) -> Vector3:
+	for round: int in 3:
+		var low := Vector2(INF, INF)
+		var high := Vector2(-INF, -INF)
+		for corner: Vector3 in corners:
+			var seen := Vector2(corner.x - place.x, corner.y - place.y) / (place.z - corner.z)
+			low = low.min(seen)
+			high = high.max(seen)
+		var shift: Vector2 = (low + high) / 2.0 * place.z
+		place += Vector3(shift.x, shift.y, 0.0)
+	return place

@@ -94,8 +94,9 @@ bool contains(const District &district, glm::vec2 position) {
 } // namespace
 
 std::vector<LandUse> default_land_use() {
-	return { { "house", 0.66 }, { "apartment", 0.08 }, { "workplace", 0.1 }, { "shop", 0.05 }, { "park", 0.05 }, { "school", 0.02 },
-		{ "restaurant", 0.02 }, { "leisure", 0.02 } };
+	return { { "house", 0.46 }, { "row_house", 0.1 }, { "apartment", 0.1 }, { "workplace", 0.08 }, { "office_tower", 0.02 }, { "workshop", 0.03 },
+		{ "shop", 0.05 }, { "supermarket", 0.01 }, { "restaurant", 0.02 }, { "school", 0.03 }, { "town_hall", 0.01 }, { "park", 0.07 },
+		{ "plaza", 0.02 } };
 }
 
 std::vector<District> quadrant_districts() {

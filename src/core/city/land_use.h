@@ -24,7 +24,7 @@ struct District {
 	std::vector<LandUse> uses;
 };
 
-// What a small town needs: mostly houses.
+// What a small town needs: mostly houses. Each type is the name of a file in rules/cga.
 std::vector<LandUse> default_land_use();
 // The paper's structured city: houses top left, workplaces bottom right, shops and schools in the other two quadrants, each with some parks.
 std::vector<District> quadrant_districts();
