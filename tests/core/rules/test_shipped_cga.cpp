@@ -29,17 +29,17 @@ struct ShippedRules {
 
 std::vector<ShippedRules> all_shipped() {
 	return {
-		{ "house", 20, 20, { 250, 650, 2500 }, { "house" }, "" },
-		{ "row_house", 24, 24, { 400, 1200, 7500 }, { "house" }, "" },
-		{ "apartment", 20, 20, { 300, 1800, 8500 }, { "house", "shop" }, "" },
+		{ "house", 20, 20, { 250, 650, 2300 }, { "house" }, "" },
+		{ "row_house", 24, 24, { 400, 1200, 6500 }, { "house" }, "" },
+		{ "apartment", 20, 20, { 300, 1800, 7000 }, { "house", "shop" }, "" },
 		{ "office_tower", 30, 30, { 700, 2800, 15000 }, { "workplace" }, "" },
 		{ "workplace", 20, 20, { 600, 1300, 3500 }, { "workplace" }, "" },
 		{ "workshop", 30, 30, { 900, 3000, 8500 }, { "workplace" }, "" },
 		{ "supermarket", 50, 56, { 700, 2000, 4500 }, { "shop" }, "" },
-		{ "restaurant", 20, 24, { 1000, 1800, 8500 }, { "restaurant" }, "terrace" },
-		{ "school", 40, 40, { 600, 2200, 9500 }, { "school" }, "playground" },
+		{ "restaurant", 20, 24, { 1000, 1800, 7500 }, { "restaurant" }, "terrace" },
+		{ "school", 40, 40, { 600, 2200, 7500 }, { "school" }, "playground" },
 		{ "shop", 20, 20, { 250, 500, 3500 }, { "shop" }, "" },
-		{ "town_hall", 36, 40, { 1000, 2500, 11000 }, { "town_hall", "workplace" }, "" },
+		{ "town_hall", 36, 40, { 1000, 2500, 9000 }, { "town_hall", "workplace" }, "" },
 		{ "park", 30, 30, { 900, 1800, 7500 }, {}, "park" },
 		{ "plaza", 32, 32, { 1200, 2600, 5500 }, {}, "plaza" },
 		{ "bus_stop", 14, 8, { 250, 350, 700 }, {}, "bus_stop" },
