@@ -11,7 +11,6 @@
 #include <glm/vec4.hpp>
 
 #include <godot_cpp/classes/array_mesh.hpp>
-#include <godot_cpp/classes/material.hpp>
 #include <godot_cpp/classes/navigation_mesh.hpp>
 #include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/variant/color.hpp>
@@ -62,10 +61,6 @@ godot::Transform3D to_godot(glm::vec3 position, glm::vec3 facing);
 // The direction that such a frame looks along; unit length.
 glm::vec3 facing_of(const godot::Transform3D &transform);
 
-// The engine's front faces run clockwise, the core's counter-clockwise. All colours of opaque materials go to the vertices of one surface, so that a lot costs one draw call; see-through ones share a second.
-// `opaque` and `transparent` are set on them. Null if there is nothing to draw.
-godot::Ref<godot::ArrayMesh> to_godot(const Mesh &mesh, const std::vector<Material> &materials, const godot::Ref<godot::Material> &opaque,
-		const godot::Ref<godot::Material> &transparent);
 // What the engine baked, for the core to find ways on.
 NavRegion from_godot(const godot::Ref<godot::NavigationMesh> &mesh);
 // With what figure.gdshader wants in UV and UV2.

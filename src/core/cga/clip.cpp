@@ -28,21 +28,55 @@ bool is_before(glm::dvec3 a, glm::dvec3 b) {
 } // namespace
 
 const Geometry *Clipper::clip(const Geometry &geometry, const Plane &plane, Arena &arena) {
+	_uvs = nullptr;
+	_normal = plane.normal;
 	measure(geometry, plane);
-	const auto points = std::span(_distances);
-	if (std::ranges::none_of(points, [](double d) { return d > 0.0; })) {
-		return nullptr;
-	}
-	if (std::ranges::none_of(points, [](double d) { return d < 0.0; })) {
-		return &geometry;
+	bool is_whole = false;
+	if (!is_cut(is_whole)) {
+		return is_whole ? &geometry : nullptr;
 	}
 	_builder.begin(geometry);
 	_cuts.clear();
 	for (uint32_t i = 0; i < geometry.face_count; ++i) {
-		clip_face(geometry, geometry.faces[i], plane);
+		clip_face(geometry, geometry.faces[i]);
 	}
 	const bool is_closed = geometry.is_closed && add_caps(plane);
 	return _builder.finish(arena, is_closed);
+}
+
+const Geometry *Clipper::clip_uv(const Geometry &geometry, size_t set, int axis, double at, bool keeps_above, Arena &arena) {
+	_uvs = geometry.uvs(set);
+	_uv_axis = axis;
+	measure_uv(geometry, at, keeps_above);
+	bool is_whole = false;
+	if (!is_cut(is_whole)) {
+		return is_whole ? &geometry : nullptr;
+	}
+	_builder.begin(geometry);
+	_cuts.clear();
+	for (uint32_t i = 0; i < geometry.face_count; ++i) {
+		clip_face(geometry, geometry.faces[i]);
+	}
+	return _builder.finish(arena, false);
+}
+
+// False: all of it stays, or nothing.
+bool Clipper::is_cut(bool &is_whole) const {
+	is_whole = std::ranges::none_of(_distances, [](double d) { return d < 0.0; }) && std::ranges::any_of(_distances, [](double d) { return d > 0.0; });
+	return !is_whole && std::ranges::any_of(_distances, [](double d) { return d > 0.0; });
+}
+
+void Clipper::measure_uv(const Geometry &geometry, double at, bool keeps_above) {
+	double size = std::abs(at);
+	for (uint32_t i = 0; i < geometry.point_count; ++i) {
+		size = has_uv(_uvs[i]) ? std::max(size, std::abs(_uvs[i][_uv_axis])) : size;
+	}
+	const double margin = 1e-10 * size;
+	_distances.resize(geometry.point_count);
+	for (uint32_t i = 0; i < geometry.point_count; ++i) {
+		const double distance = keeps_above ? _uvs[i][_uv_axis] - at : at - _uvs[i][_uv_axis];
+		_distances[i] = !has_uv(_uvs[i]) ? -1.0 : std::abs(distance) <= margin ? 0.0 : distance;
+	}
 }
 
 // Points closer to the plane than rounding can tell lie on it, and count as cut away: then a face in the plane never stays behind, and the
@@ -57,7 +91,7 @@ void Clipper::measure(const Geometry &geometry, const Plane &plane) {
 	}
 }
 
-void Clipper::clip_face(const Geometry &geometry, const GeometryFace &face, const Plane &plane) {
+void Clipper::clip_face(const Geometry &geometry, const GeometryFace &face) {
 	const uint32_t first = geometry.first_point(face.first_loop);
 	const auto distances = std::span(_distances).subspan(first, geometry.face_point_count(face));
 	const auto [least, most] = std::ranges::minmax(distances);
@@ -72,9 +106,9 @@ void Clipper::clip_face(const Geometry &geometry, const GeometryFace &face, cons
 	_chain_points.clear();
 	_chain_origins.clear();
 	_whole_holes.clear();
-	const glm::dvec3 along = glm::cross(plane.normal, face_normal(geometry, face));
+	_along = _uvs == nullptr ? glm::cross(_normal, face_normal(geometry, face)) : glm::dvec3(0.0);
 	for (uint32_t i = 0; i < face.loop_count; ++i) {
-		collect_chains(geometry, face.first_loop + i, along, i == 0);
+		collect_chains(geometry, face.first_loop + i, i == 0);
 	}
 	pair_chains();
 	emit_pieces(geometry, face);
@@ -100,7 +134,16 @@ void Clipper::add_chain_point(glm::dvec3 point, CornerOrigin origin) {
 	}
 }
 
-void Clipper::collect_chains(const Geometry &geometry, uint32_t loop, glm::dvec3 along, bool is_outline) {
+// In the texture the cut runs along the other coordinate.
+double Clipper::place_on_cut(glm::dvec3 point, const CornerOrigin &origin) const {
+	if (_uvs == nullptr) {
+		return glm::dot(_along, point);
+	}
+	const double from = _uvs[origin.a][1 - _uv_axis];
+	return origin.b == CornerOrigin::none ? from : from + (_uvs[origin.b][1 - _uv_axis] - from) * origin.share;
+}
+
+void Clipper::collect_chains(const Geometry &geometry, uint32_t loop, bool is_outline) {
 	const uint32_t first = geometry.first_point(loop);
 	const uint32_t count = geometry.loop_ends[loop] - first;
 	const auto at = [&](uint32_t i) { return first + i % count; };
@@ -124,12 +167,12 @@ void Clipper::collect_chains(const Geometry &geometry, uint32_t loop, glm::dvec3
 			CornerOrigin origin;
 			const glm::dvec3 point = cut_point(geometry, at(i), at(i + 1), origin);
 			if (is_in(i + 1)) {
-				_chains.push_back({ .first = uint32_t(_chain_points.size()), .enter = glm::dot(along, point) });
+				_chains.push_back({ .first = uint32_t(_chain_points.size()), .enter = place_on_cut(point, origin) });
 				add_chain_point(point, origin);
 				add_chain_point(geometry.points[at(i + 1)], { at(i + 1) });
 			} else {
 				add_chain_point(point, origin);
-				_chains.back().leave = glm::dot(along, point);
+				_chains.back().leave = place_on_cut(point, origin);
 				_chains.back().end = uint32_t(_chain_points.size());
 			}
 		}

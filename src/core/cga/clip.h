@@ -21,6 +21,9 @@ public:
 	// What lies on the plane's positive side; nullptr if nothing does. The geometry itself if nothing is cut away. Pieces keep the face's
 	// first edge where it survives; where it is cut away, the cut takes its place.
 	const Geometry *clip(const Geometry &geometry, const Plane &plane, Arena &arena);
+	// The same along a line of constant u (axis 0) or v of a set that the geometry has: what lies above `at`, or below. Corners without coordinates
+	// are cut away; there are no caps.
+	const Geometry *clip_uv(const Geometry &geometry, size_t set, int axis, double at, bool keeps_above, Arena &arena);
 
 private:
 	// A run of corners on the positive side, between the point where the outline comes in and the point where it goes out.
@@ -42,8 +45,11 @@ private:
 	};
 
 	void measure(const Geometry &geometry, const Plane &plane);
-	void clip_face(const Geometry &geometry, const GeometryFace &face, const Plane &plane);
-	void collect_chains(const Geometry &geometry, uint32_t loop, glm::dvec3 along, bool is_outline);
+	void measure_uv(const Geometry &geometry, double at, bool keeps_above);
+	bool is_cut(bool &is_whole) const;
+	void clip_face(const Geometry &geometry, const GeometryFace &face);
+	double place_on_cut(glm::dvec3 point, const CornerOrigin &origin) const;
+	void collect_chains(const Geometry &geometry, uint32_t loop, bool is_outline);
 	glm::dvec3 cut_point(const Geometry &geometry, uint32_t a, uint32_t b, CornerOrigin &origin) const;
 	void add_chain_point(glm::dvec3 point, CornerOrigin origin);
 	void pair_chains();
@@ -55,6 +61,10 @@ private:
 
 	GeometryBuilder _builder;
 	std::vector<double> _distances; // of each point of the geometry to the plane
+	glm::dvec3 _normal{ 0.0 }; // of the plane
+	glm::dvec3 _along{ 0.0 }; // of the cut in the present face
+	const glm::dvec2 *_uvs = nullptr; // where the cut is made in the texture, along _uv_axis
+	int _uv_axis = 0;
 	std::vector<Chain> _chains;
 	std::vector<glm::dvec3> _chain_points;
 	std::vector<CornerOrigin> _chain_origins; // of the chain points; empty if corners carry nothing

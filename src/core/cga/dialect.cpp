@@ -36,6 +36,7 @@ Dialect make_dialect() {
 	add_appearance_operations(dialect);
 	add_projection_operations(dialect);
 	add_uv_operations(dialect);
+	add_uv_split_operations(dialect);
 	add_flow_operations(dialect);
 	add_semantic_operations(dialect);
 	return dialect;

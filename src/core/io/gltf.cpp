@@ -7,15 +7,13 @@
 
 #include <nlohmann/json.hpp>
 
-// The library's implementation lives in this file alone. Pictures are none of its business here: textures stay files.
+// The library's implementation lives in this file alone.
 #define TINYGLTF_IMPLEMENTATION
-#define TINYGLTF_NO_STB_IMAGE
-#define TINYGLTF_NO_STB_IMAGE_WRITE
-#define TINYGLTF_NOEXCEPTION
-#define JSON_NOEXCEPTION
-#include <tiny_gltf.h>
+#include "core/io/gltf_library.h"
 
 #include "core/io/atomic_file.h"
+#include "core/io/gltf_materials.h"
+#include "core/io/utf8.h"
 
 namespace pcg {
 
@@ -23,35 +21,13 @@ namespace {
 
 using Extras = std::map<std::string, tinygltf::Value>;
 
-// Texts of rule files may hold any bytes, JSON only UTF-8.
-std::string valid_utf8(const std::string &text) {
-	const std::string quoted = nlohmann::json(text).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
-	return nlohmann::json::parse(quoted, nullptr, false).get<std::string>();
-}
-
-// glTF's factors are linear.
-double to_linear(float srgb) {
-	const double value = std::fmin(1.0, std::fmax(0.0, double(srgb)));
-	return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-}
-
-tinygltf::Material to_gltf(const Material &material) {
-	tinygltf::Material result;
-	result.name = valid_utf8(material.name);
-	result.pbrMetallicRoughness.baseColorFactor = { to_linear(material.color.r), to_linear(material.color.g), to_linear(material.color.b),
-		std::fmin(1.0, std::fmax(0.0, double(material.color.a))) };
-	result.pbrMetallicRoughness.roughnessFactor = std::fmin(1.0, std::fmax(0.0, double(material.roughness)));
-	result.pbrMetallicRoughness.metallicFactor = std::fmin(1.0, std::fmax(0.0, double(material.metallic)));
-	result.alphaMode = material.color.a < 1.0f ? "BLEND" : "OPAQUE";
-	result.doubleSided = material.is_double_sided;
-	return result;
-}
-
 // Collects nodes, meshes and materials; equal materials become one, and so do equal meshes of which there may be many.
 class GlbBuilder {
 public:
 	static constexpr int no_parent = -1;
 	static constexpr int no_mesh = -1;
+
+	GlbBuilder(SourceProvider *pictures, Diagnostics &diagnostics) : _materials(_model, pictures, diagnostics) {}
 
 	// The mesh's index, or no_mesh if it has no area.
 	int add_mesh(const Mesh &mesh, const std::vector<Material> &materials, const std::string &name) {
@@ -109,22 +85,13 @@ public:
 	}
 
 private:
-	enum View { Indices, Positions, Normals, ViewCount };
-	using MaterialKey = std::tuple<std::string, float, float, float, float, float, float, bool>;
-
-	int add_material(const Material &m) {
-		const MaterialKey key{ m.name, m.color.r, m.color.g, m.color.b, m.color.a, m.roughness, m.metallic, m.is_double_sided };
-		const auto [place, is_new] = _material_indices.emplace(key, int(_model.materials.size()));
-		if (is_new) {
-			_model.materials.push_back(to_gltf(m));
-		}
-		return place->second;
-	}
+	enum View { Indices, Positions, Normals, Uvs, ViewCount }; // Uvs last: there may be none
 
 	std::vector<int> add_materials(const std::vector<MeshSurface> &surfaces, const std::vector<Material> &materials) {
 		std::vector<int> indices;
 		for (const MeshSurface &surface : surfaces) {
-			indices.push_back(add_material(surface.material < materials.size() ? materials[surface.material] : Material()));
+			const Material material = surface.material < materials.size() ? materials[surface.material] : Material();
+			indices.push_back(_materials.add(material, sets_of(surface.uvs.data())));
 		}
 		return indices;
 	}
@@ -140,6 +107,10 @@ private:
 			append(surface.positions);
 			append(surface.normals);
 			append(surface.indices);
+			for (const std::vector<glm::vec2> &uvs : surface.uvs) {
+				append(std::vector<size_t>{ uvs.size() });
+				append(uvs);
+			}
 		}
 		return content;
 	}
@@ -156,10 +127,26 @@ private:
 			set_bounds(_model.accessors[size_t(positions)], surfaces[i].positions);
 			primitive.attributes["POSITION"] = positions;
 			primitive.attributes["NORMAL"] = add_accessor(Normals, surfaces[i].normals, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3);
+			add_uvs(primitive, surfaces[i]);
 			mesh.primitives.push_back(std::move(primitive));
 		}
 		_model.meshes.push_back(std::move(mesh));
 		return int(_model.meshes.size()) - 1;
+	}
+
+	// In the file v runs down the picture.
+	void add_uvs(tinygltf::Primitive &primitive, const MeshSurface &surface) {
+		const uint32_t sets = sets_of(surface.uvs.data());
+		for (size_t set = 0; set < uv_set_count; ++set) {
+			if (surface.uvs[set].empty()) {
+				continue;
+			}
+			std::vector<glm::vec2> uvs = surface.uvs[set];
+			for (glm::vec2 &uv : uvs) {
+				uv.y = 1.0f - uv.y;
+			}
+			primitive.attributes["TEXCOORD_" + std::to_string(file_set(sets, set))] = add_accessor(Uvs, uvs, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2);
+		}
 	}
 
 	template <typename T> int add_accessor(View view, const std::vector<T> &items, int component, int type) {
@@ -188,30 +175,31 @@ private:
 		accessor.maxValues = { high.x, high.y, high.z };
 	}
 
-	// All numbers have four bytes, so the three views one behind the other stay aligned. A model without meshes has no buffer.
+	// All numbers have four bytes, so the views one behind the other stay aligned; pictures come last. A model without meshes has no buffer.
 	void finish_buffer() {
 		if (_model.meshes.empty()) {
 			return;
 		}
 		tinygltf::Buffer buffer;
-		for (int i = 0; i < ViewCount; ++i) {
+		for (int i = 0; i < (_bytes[Uvs].empty() ? int(Uvs) : int(ViewCount)); ++i) {
 			tinygltf::BufferView view;
 			view.buffer = 0;
 			view.byteOffset = buffer.data.size();
 			view.byteLength = _bytes[i].size();
-			view.byteStride = i == Indices ? 0 : sizeof(glm::vec3);
+			view.byteStride = i == Indices ? 0 : i == Uvs ? sizeof(glm::vec2) : sizeof(glm::vec3);
 			view.target = i == Indices ? TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER : TINYGLTF_TARGET_ARRAY_BUFFER;
 			buffer.data.insert(buffer.data.end(), _bytes[i].begin(), _bytes[i].end());
 			_bytes[i] = {};
 			_model.bufferViews.push_back(std::move(view));
 		}
+		_materials.finish(buffer);
 		_model.buffers.push_back(std::move(buffer));
 	}
 
 	tinygltf::Model _model;
 	std::vector<int> _roots;
 	std::vector<unsigned char> _bytes[ViewCount];
-	std::map<MaterialKey, int> _material_indices;
+	GltfMaterials _materials;
 	std::map<std::string, int> _shared_meshes;
 };
 
@@ -238,8 +226,8 @@ void add_lot(GlbBuilder &builder, const City &city, LotId id, int parent) {
 
 } // namespace
 
-bool write_glb(const City &city, const std::string &path, Diagnostics &diagnostics) {
-	GlbBuilder builder;
+bool write_glb(const City &city, const std::string &path, Diagnostics &diagnostics, SourceProvider *pictures) {
+	GlbBuilder builder(pictures, diagnostics);
 	builder.add_node("streets", builder.add_mesh(city.ground.streets, city.ground.materials, "streets"), GlbBuilder::no_parent);
 	for (size_t i = 0; i < city.layout.blocks.size(); ++i) {
 		const std::string name = "block " + std::to_string(i);
@@ -252,8 +240,9 @@ bool write_glb(const City &city, const std::string &path, Diagnostics &diagnosti
 	return builder.write(path, diagnostics);
 }
 
-bool write_glb(const cga::DerivationResult &model, const std::string &name, const std::string &path, Diagnostics &diagnostics) {
-	GlbBuilder builder;
+bool write_glb(const cga::DerivationResult &model, const std::string &name, const std::string &path, Diagnostics &diagnostics,
+		SourceProvider *pictures) {
+	GlbBuilder builder(pictures, diagnostics);
 	const int node = builder.add_node(name, builder.add_mesh(model.mesh, model.materials, name), GlbBuilder::no_parent);
 	add_objects(builder, model, {}, node);
 	return builder.write(path, diagnostics);

@@ -5,7 +5,6 @@
 #include <godot_cpp/classes/array_mesh.hpp>
 #include <godot_cpp/classes/mesh_instance3d.hpp>
 #include <godot_cpp/classes/navigation_region3d.hpp>
-#include <godot_cpp/classes/standard_material3d.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
 #include "core/semantics/city_query.h"
@@ -20,15 +19,6 @@ using namespace godot;
 namespace pcg {
 
 namespace {
-
-Ref<StandardMaterial3D> make_material() {
-	Ref<StandardMaterial3D> material;
-	material.instantiate();
-	material->set_flag(BaseMaterial3D::FLAG_ALBEDO_FROM_VERTEX_COLOR, true);
-	material->set_flag(BaseMaterial3D::FLAG_SRGB_VERTEX_COLOR, true);
-	material->set_roughness(0.9f);
-	return material;
-}
 
 glm::vec3 middle_of(const std::vector<glm::vec3> &polygon) {
 	glm::vec3 sum(0.0f);
@@ -58,11 +48,6 @@ Transform3D to_frame(const glm::mat4 &matrix) {
 CityBuilder::CityBuilder(Node3D *root, const City &city) : _root(root), _city(city) {
 	// A city that is the scene's own root owns its parts; one that no scene holds (made by a script) leaves them without an owner.
 	_owner = root->get_owner() ? root->get_owner() : (root->get_scene_file_path().is_empty() ? nullptr : root);
-	_opaque = make_material();
-	const Ref<StandardMaterial3D> glass = make_material();
-	glass->set_transparency(BaseMaterial3D::TRANSPARENCY_ALPHA);
-	glass->set_roughness(0.2f);
-	_transparent = glass;
 }
 
 void CityBuilder::clear(Node3D *root) {
@@ -85,7 +70,7 @@ void CityBuilder::add(Node *parent, Node *child, const String &name) {
 
 void CityBuilder::add_geometry(Node *parent, const Mesh &mesh, const std::vector<Material> &materials, const char *name,
 		Vector3 position) {
-	const Ref<ArrayMesh> surfaces = to_godot(mesh, materials, _opaque, _transparent);
+	const Ref<ArrayMesh> surfaces = _materials.to_godot(mesh, materials);
 	if (surfaces.is_null()) {
 		return;
 	}

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <godot_cpp/classes/material.hpp>
 #include <godot_cpp/classes/navigation_mesh.hpp>
 #include <godot_cpp/classes/node3d.hpp>
 #include <godot_cpp/classes/ref.hpp>
 
 #include "core/city/city.h"
+#include "godot/city_materials.h"
 
 namespace pcg {
 
@@ -37,7 +37,7 @@ private:
 	godot::Node3D *_root;
 	const City &_city;
 	godot::Node *_owner; // of everything that is made, so that it is saved with the scene
-	godot::Ref<godot::Material> _opaque, _transparent;
+	CityMaterials _materials;
 };
 
 } // namespace pcg

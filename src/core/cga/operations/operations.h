@@ -23,6 +23,7 @@ void add_asset_operations(Dialect &dialect); // i, primitives
 void add_appearance_operations(Dialect &dialect); // color texture set
 void add_projection_operations(Dialect &dialect); // setupProjection projectUV
 void add_uv_operations(Dialect &dialect); // translateUV tileUV ..
+void add_uv_split_operations(Dialect &dialect); // split(u, ..)
 void add_flow_operations(Dialect &dialect); // NIL report print label
 void add_semantic_operations(Dialect &dialect); // entrance zone place
 

@@ -1,0 +1,218 @@
+#include "core/io/gltf_materials.h"
+
+#include <bit>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "core/io/atomic_file.h"
+#include "core/io/utf8.h"
+
+namespace pcg {
+
+namespace {
+
+constexpr double degree = 0.017453292519943295;
+constexpr const char *transform_extension = "KHR_texture_transform";
+
+// glTF's factors are linear.
+double to_linear(float srgb) {
+	const double value = std::fmin(1.0, std::fmax(0.0, double(srgb)));
+	return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
+double unit(float value) {
+	return std::fmin(1.0, std::fmax(0.0, double(value)));
+}
+
+template <typename T> void append(std::string &key, const T &value) {
+	key.append(reinterpret_cast<const char *>(&value), sizeof(value));
+}
+void append_text(std::string &key, const std::string &text) {
+	append(key, text.size());
+	key += text;
+}
+
+// Equal materials give equal keys.
+std::string key_of(const Material &material, uint32_t sets) {
+	std::string key;
+	append_text(key, material.name);
+	append(key, material.color);
+	append(key, material.specular);
+	append(key, material.emissive);
+	for (const float value : { material.roughness, material.metallic, material.shininess, material.reflectivity }) {
+		append(key, value);
+	}
+	append(key, material.is_double_sided);
+	append(key, sets);
+	for (const TextureMap &map : material.maps) {
+		append(key, map.use);
+		append_text(key, map.file);
+		for (const float value : { map.scale_u, map.scale_v, map.shift_u, map.shift_v, map.turn }) {
+			append(key, value);
+		}
+	}
+	return key;
+}
+
+const char *mime_type(const std::string &bytes) {
+	if (bytes.starts_with("\x89PNG")) {
+		return "image/png";
+	}
+	return bytes.starts_with("\xFF\xD8\xFF") ? "image/jpeg" : nullptr;
+}
+
+// Coordinates in files run down the picture: v is 1 - v there, and so is the way they are scaled, turned and shifted.
+tinygltf::Value transform_of(const TextureMap &map) {
+	const double cosine = std::cos(double(map.turn) * degree), sine = std::sin(double(map.turn) * degree);
+	const auto pair = [](double a, double b) { return tinygltf::Value(tinygltf::Value::Array{ tinygltf::Value(a), tinygltf::Value(b) }); };
+	tinygltf::Value::Object transform;
+	transform.emplace("offset", pair(double(map.shift_u) - double(map.scale_v) * sine, 1.0 - double(map.scale_v) * cosine - double(map.shift_v)));
+	transform.emplace("scale", pair(map.scale_u, map.scale_v));
+	transform.emplace("rotation", tinygltf::Value(double(map.turn) * degree));
+	return tinygltf::Value(std::move(transform));
+}
+
+bool is_moved(const TextureMap &map) {
+	return map.scale_u != 1.0f || map.scale_v != 1.0f || map.shift_u != 0.0f || map.shift_v != 0.0f || map.turn != 0.0f;
+}
+
+} // namespace
+
+uint32_t sets_of(const std::vector<glm::vec2> *uvs) {
+	uint32_t sets = 0;
+	for (size_t set = 0; set < uv_set_count; ++set) {
+		sets |= uvs[set].empty() ? 0u : 1u << set;
+	}
+	return sets;
+}
+
+int file_set(uint32_t sets, size_t set) {
+	return std::popcount(sets & ((1u << set) - 1u));
+}
+
+GltfMaterials::GltfMaterials(tinygltf::Model &model, SourceProvider *pictures, Diagnostics &diagnostics)
+		: _model(model), _pictures(pictures), _diagnostics(diagnostics) {}
+
+int GltfMaterials::add(const Material &material, uint32_t sets) {
+	const auto [place, is_new] = _materials.emplace(key_of(material, sets), int(_model.materials.size()));
+	if (is_new) {
+		_model.materials.push_back(to_gltf(material, sets));
+	}
+	return place->second;
+}
+
+tinygltf::Material GltfMaterials::to_gltf(const Material &material, uint32_t sets) {
+	tinygltf::Material result;
+	result.name = valid_utf8(material.name);
+	result.doubleSided = material.is_double_sided;
+	result.alphaMode = material.color.a < 1.0f ? "BLEND" : "OPAQUE";
+	set_factors(result, material);
+	if (sets != 0 && !material.maps.empty()) {
+		set_surface_textures(result, material, sets);
+	}
+	return result;
+}
+
+void GltfMaterials::set_factors(tinygltf::Material &target, const Material &material) const {
+	tinygltf::PbrMetallicRoughness &pbr = target.pbrMetallicRoughness;
+	pbr.baseColorFactor = { to_linear(material.color.r), to_linear(material.color.g), to_linear(material.color.b), unit(material.color.a) };
+	pbr.roughnessFactor = unit(shown_roughness(material));
+	pbr.metallicFactor = unit(material.metallic);
+	const glm::vec3 light = shown_emissive(material);
+	target.emissiveFactor = { to_linear(light.r), to_linear(light.g), to_linear(light.b) };
+}
+
+void GltfMaterials::set_surface_textures(tinygltf::Material &target, const Material &material, uint32_t sets) {
+	const TextureMap *color = material.map(TextureUse::Color), *dirt = material.map(TextureUse::Dirt), *opacity = material.map(TextureUse::Opacity);
+	const TextureMap *occlusion = material.map(TextureUse::Occlusion), *roughness = material.map(TextureUse::Roughness);
+	const TextureMap *metallic = material.map(TextureUse::Metallic);
+	set_texture(target.pbrMetallicRoughness.baseColorTexture, color != nullptr ? color : dirt, sets);
+	set_texture(target.normalTexture, material.map(TextureUse::Normal), sets);
+	set_texture(target.emissiveTexture, material.map(TextureUse::Emissive), sets);
+	set_texture(target.occlusionTexture, occlusion != nullptr ? occlusion : color != nullptr ? dirt : nullptr, sets);
+	if (roughness != nullptr && (metallic == nullptr || metallic->file == roughness->file)) {
+		set_texture(target.pbrMetallicRoughness.metallicRoughnessTexture, roughness, sets);
+		if (metallic == nullptr) { // the same channel would count as metal
+			target.pbrMetallicRoughness.metallicFactor = 0.0;
+		}
+	}
+	if (opacity != nullptr && color != nullptr && opacity->file == color->file) {
+		target.alphaMode = "BLEND";
+	} else if (opacity != nullptr) {
+		tell(opacity->file, "glTF has no opacity maps of their own: put the opacity into the alpha channel of the colour map");
+	}
+}
+
+template <typename Info> void GltfMaterials::set_texture(Info &info, const TextureMap *map, uint32_t sets) {
+	if (map == nullptr) {
+		return;
+	}
+	info.index = texture_of(map->file);
+	if (info.index < 0) {
+		return;
+	}
+	const size_t own = size_t(map->use);
+	info.texCoord = (sets & (1u << own)) != 0 ? file_set(sets, own) : 0;
+	if (is_moved(*map)) {
+		info.extensions.emplace(transform_extension, transform_of(*map));
+		if (_model.extensionsUsed.empty()) {
+			_model.extensionsUsed.push_back(transform_extension);
+		}
+	}
+}
+
+int GltfMaterials::texture_of(const std::string &file) {
+	const auto [place, is_new] = _textures.emplace(file, -1);
+	if (is_new) {
+		place->second = add_picture(file);
+	}
+	return place->second;
+}
+
+int GltfMaterials::add_picture(const std::string &file) {
+	Result<std::string> bytes = _pictures != nullptr ? _pictures->read(file) : read_file(file);
+	if (!bytes) {
+		tell(file, "this picture cannot be read; surfaces that have it are plain in the file");
+		return -1;
+	}
+	const char *type = mime_type(*bytes);
+	if (type == nullptr) {
+		tell(file, "only PNG and JPEG pictures go into glTF files; surfaces that have this one are plain in the file");
+		return -1;
+	}
+	if (_model.samplers.empty()) {
+		_model.samplers.emplace_back(); // repeats, as CGA's textures do
+	}
+	tinygltf::Image image;
+	image.name = valid_utf8(file.substr(file.find_last_of("/\\") + 1));
+	image.mimeType = type;
+	tinygltf::Texture texture;
+	texture.source = int(_model.images.size());
+	texture.sampler = 0;
+	_model.images.push_back(std::move(image));
+	_model.textures.push_back(std::move(texture));
+	_bytes.push_back(std::move(*bytes));
+	return int(_model.textures.size()) - 1;
+}
+
+void GltfMaterials::tell(const std::string &file, const std::string &message) {
+	if (_told.insert(file).second) {
+		_diagnostics.add({ Severity::Warning, "picture-left-out", file, 0, 0, message, "", {} });
+	}
+}
+
+void GltfMaterials::finish(tinygltf::Buffer &buffer) {
+	for (size_t i = 0; i < _bytes.size(); ++i) {
+		tinygltf::BufferView view;
+		view.buffer = 0;
+		view.byteOffset = buffer.data.size();
+		view.byteLength = _bytes[i].size();
+		buffer.data.insert(buffer.data.end(), _bytes[i].begin(), _bytes[i].end());
+		_bytes[i] = {};
+		_model.images[i].bufferView = int(_model.bufferViews.size());
+		_model.bufferViews.push_back(std::move(view));
+	}
+}
+
+} // namespace pcg
