@@ -14,6 +14,7 @@
 #include <godot_cpp/variant/packed_int32_array.hpp>
 #include <godot_cpp/variant/packed_vector2_array.hpp>
 
+#include "core/geometry/shown_material.h"
 #include "godot/convert.h"
 
 using namespace godot;

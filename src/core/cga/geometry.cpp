@@ -26,7 +26,8 @@ bool is_at_bounds(glm::dvec3 point, const Geometry &geometry) {
 bool detect_block(const Geometry &geometry) {
 	const bool is_box = geometry.face_count == 6 && geometry.is_closed && geometry.point_count == 24;
 	const bool is_rectangle = geometry.face_count == 1 && geometry.point_count == 4;
-	if (geometry.corners != nullptr || geometry.loop_count != geometry.face_count || (!is_box && !is_rectangle)) {
+	const bool is_smooth = geometry.corners != nullptr && geometry.corners->normals != nullptr;
+	if (is_smooth || geometry.loop_count != geometry.face_count || (!is_box && !is_rectangle)) {
 		return false;
 	}
 	for (uint32_t i = 0; i < geometry.point_count; ++i) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/cga/primitive_uvs.h"
+
 namespace pcg::cga {
 
 namespace {
@@ -58,22 +60,21 @@ const Geometry *make_cube(Arena &arena) {
 	add_polygon(builder, bottom, true);
 	add_walls(builder, bottom, top);
 	add_polygon(builder, top, false);
-	return builder.finish(arena, true);
+	return with_face_uvs(builder.finish(arena, true), arena);
 }
 
 const Geometry *make_quad(int normal_axis, Arena &arena) {
 	GeometryBuilder builder;
 	if (normal_axis == 0) {
 		builder.add_quad({ 0, 0, 1 }, { 0, 0, 0 }, { 0, 1, 0 }, { 0, 1, 1 });
-		const Geometry *quad = builder.finish(arena, false);
-		return quad;
+		return with_face_uvs(builder.finish(arena, false), arena);
 	}
 	if (normal_axis == 1) {
 		builder.add_quad({ 0, 0, 1 }, { 1, 0, 1 }, { 1, 0, 0 }, { 0, 0, 0 });
 	} else {
 		builder.add_quad({ 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 });
 	}
-	return builder.finish(arena, false);
+	return with_face_uvs(builder.finish(arena, false), arena);
 }
 
 const Geometry *make_disk(uint32_t sides, Arena &arena) {
@@ -88,7 +89,7 @@ const Geometry *make_cylinder(uint32_t sides, Arena &arena) {
 	add_polygon(builder, bottom, true);
 	add_walls(builder, bottom, top);
 	add_polygon(builder, top, false);
-	return builder.finish(arena, true);
+	return with_round_uvs(builder.finish(arena, true), usable(sides), arena);
 }
 
 const Geometry *make_cone(uint32_t sides, Arena &arena) {
@@ -98,7 +99,7 @@ const Geometry *make_cone(uint32_t sides, Arena &arena) {
 	for (size_t i = 0; i < bottom.size(); ++i) {
 		add_triangle(builder, bottom[i], bottom[(i + 1) % bottom.size()], { 0.5, 1.0, 0.5 });
 	}
-	return builder.finish(arena, true);
+	return with_round_uvs(builder.finish(arena, true), usable(sides), arena);
 }
 
 const Geometry *make_sphere(uint32_t sides, uint32_t divisions, Arena &arena) {
@@ -119,7 +120,7 @@ const Geometry *make_sphere(uint32_t sides, uint32_t divisions, Arena &arena) {
 	for (size_t i = 0; i < count; ++i) {
 		add_triangle(builder, circles.back()[i], circles.back()[(i + 1) % count], { 0.5, 1.0, 0.5 });
 	}
-	return builder.finish(arena, true);
+	return with_round_uvs(builder.finish(arena, true), usable(sides), arena);
 }
 
 void fit_to_scope(Shape &shape, const Geometry *geometry) {

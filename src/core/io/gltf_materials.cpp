@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/geometry/shown_material.h"
 #include "core/io/atomic_file.h"
 #include "core/io/utf8.h"
 

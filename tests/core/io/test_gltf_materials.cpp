@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 
+#include "core/geometry/shown_material.h"
 #include "core/io/gltf.h"
 #include "core/io/gltf_library.h"
 #include "core/io/gltf_materials.h"

@@ -8,6 +8,7 @@
 #include "core/cga/context.h"
 #include "core/cga/operations/operations.h"
 #include "core/cga/operations/split_parts.h"
+#include "core/cga/primitive_uvs.h"
 
 // split(axis) { size : body | .. }* (CGA reference, section 4.2).
 namespace pcg::cga {
@@ -47,6 +48,14 @@ void collect(Context &context, const Block &block, bool is_repeated, SplitSizes 
 	}
 }
 
+// What the corners of a block carry, from share `a` to share `b` of its extent in the scope.
+void cut_corners(Context &context, Shape &child, int axis, double a, double b) {
+	const bool is_mirrored = child.geometry_scale[axis] < 0.0;
+	Geometry *copy = context.arena.make(*child.geometry);
+	copy->corners = cut_block_corners(*child.geometry, axis, is_mirrored ? 1.0 - b : a, is_mirrored ? 1.0 - a : b, context.arena);
+	child.geometry = copy;
+}
+
 // From `low` to `high` in scope coordinates. False: nothing of the geometry lies there.
 bool cut(Context &context, Shape &child, int axis, double low, double high) {
 	const Geometry &geometry = *child.geometry;
@@ -61,6 +70,9 @@ bool cut(Context &context, Shape &child, int axis, double low, double high) {
 	}
 	if (geometry.is_block) {
 		const double factor = (std::min(high, to) - std::max(low, from)) / (to - from);
+		if (geometry.corners != nullptr) {
+			cut_corners(context, child, axis, (std::max(low, from) - from) / (to - from), (std::min(high, to) - from) / (to - from));
+		}
 		child.geometry_offset[axis] = std::max(low, from) + (child.geometry_offset[axis] - from) * factor;
 		child.geometry_scale[axis] *= factor;
 		return true;

@@ -1,4 +1,4 @@
-#include "core/geometry/material.h"
+#include "core/geometry/shown_material.h"
 
 #include <algorithm>
 #include <cmath>
