@@ -84,6 +84,7 @@ bool Context::set_up(const InitialShape &initial_shape) {
 	_initial_shape = &initial_shape;
 	_lot = {};
 	_saved.clear();
+	_groups.clear();
 	_stack.clear();
 	_children.clear();
 	_collected = nullptr;
@@ -195,7 +196,7 @@ bool Context::run_rule(const Pending &pending) {
 	}
 	make_current(start);
 	_body = { Random(start.seed), 0, false };
-	_saved.push_back(start);
+	_saved.push_back(&start);
 	const RunState state = vm.call(pending.rule, { pending.args, pending.arg_count });
 	_saved.pop_back();
 	if (!_body.is_replaced) {
@@ -262,6 +263,9 @@ bool Context::is_paper_rule() const {
 
 Flow Context::call_rule(Vm &, RuleId rule, std::span<const Value> args) {
 	mark_replaced();
+	if (_program.rules[index_of(rule)].is_leaf_symbol) {
+		return call_leaf();
+	}
 	Shape child = shape;
 	if (surroundings.is_active()) {
 		child.tree = surroundings.child(shape.tree, _body.child_count);
@@ -269,13 +273,6 @@ Flow Context::call_rule(Vm &, RuleId rule, std::span<const Value> args) {
 	child.seed = derive_seed(shape.seed, _body.child_count++);
 	child.depth = shape.depth + 1;
 	child.key = arena.make(KeyNode{ shape.key, _successor_count++ });
-	if (_program.rules[index_of(rule)].is_leaf_symbol) {
-		if (!count_shape()) {
-			return Flow::Stop;
-		}
-		add_leaf(child);
-		return Flow::Next;
-	}
 	if (child.depth > _options.limits.max_depth) {
 		vm.fail("too-deep", "rules call each other more than " + std::to_string(_options.limits.max_depth) + " levels deep",
 				"end the recursion with a case, or raise the limit");
@@ -285,12 +282,30 @@ Flow Context::call_rule(Vm &, RuleId rule, std::span<const Value> args) {
 	return Flow::Next;
 }
 
+// Most shapes are leaves and are only handed out: no copy is made of them.
+Flow Context::call_leaf() {
+	if (!count_shape()) {
+		return Flow::Stop;
+	}
+	const TreePlace place = shape.tree;
+	if (surroundings.is_active()) {
+		shape.tree = surroundings.child(place, _body.child_count);
+	}
+	++_body.child_count;
+	++_successor_count;
+	add_leaf(shape);
+	shape.tree = place;
+	return Flow::Next;
+}
+
 void Context::push_group(Vm &) {
-	_saved.push_back(shape);
+	_groups.push_back(shape);
+	_saved.push_back(&_groups.back());
 }
 
 void Context::pop_group(Vm &) {
-	make_current(_saved.back());
+	make_current(_groups.back());
+	_groups.pop_back();
 	_saved.pop_back();
 }
 
@@ -308,7 +323,7 @@ Flow Context::run_child(const Shape &child, Chunk body) {
 		shape.tree = surroundings.child(outer.tree, outer_body.child_count);
 	}
 	_body = { Random(seed), 0, false };
-	_saved.push_back(shape);
+	_saved.push_back(&child);
 	const Flow flow = vm.run_body(body);
 	_saved.pop_back();
 	if (!_body.is_replaced) {

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <span>
 #include <string>
@@ -48,7 +49,7 @@ public:
 	const DeriveLimits &limits() const { return _options.limits; }
 	const DeriveOptions &options() const { return _options; }
 	// As it was when the running body or bracket began (CGA reference: op_center).
-	const Shape &saved_shape() const { return _saved.back(); }
+	const Shape &saved_shape() const { return *_saved.back(); }
 	Selector selector(uint32_t symbol) const { return _selectors[symbol]; }
 	// The component that a selector's expression is asked about, and the shape that it is part of; nullptr at other times.
 	struct Selection {
@@ -120,6 +121,7 @@ private:
 	void make_current(const Shape &other);
 	void run_now();
 	void merge(std::span<const Shape> leaves);
+	Flow call_leaf();
 	void add_leaf(const Shape &leaf);
 	bool count_shape(); // false: there are too many
 
@@ -128,7 +130,8 @@ private:
 	const InitialShape *_initial_shape = nullptr;
 	Lot _lot;
 	Body _body;
-	std::vector<Shape> _saved;
+	std::vector<const Shape *> _saved; // innermost last
+	std::deque<Shape> _groups; // as they were at each open bracket
 	std::vector<Pending> _stack; // last first
 	std::vector<Pending> _children; // of the running rule, in order
 	std::vector<Selector> _selectors; // by symbol

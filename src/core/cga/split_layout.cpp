@@ -37,7 +37,7 @@ Sums sums_of(const SplitGroup &group, double length) {
 class Layouter {
 public:
 	Layouter(std::span<const SplitGroup> groups, double length, uint32_t max_parts)
-			: _groups(groups), _length(length), _max_parts(max_parts), _counts(groups.size(), 1) {}
+			: _groups(groups), _length(length), _max_parts(max_parts), _counts(groups.size(), 1u) {}
 
 	SplitLayout run() {
 		for (const SplitGroup &group : _groups) {
@@ -136,6 +136,11 @@ private:
 	void place() {
 		const Sums sums = total();
 		const double left = std::max(0.0, _length - sums.fixed);
+		size_t parts = 0;
+		for (size_t i = 0; i < _groups.size(); ++i) {
+			parts += _counts[i] * _groups[i].sizes.size();
+		}
+		_layout.parts.reserve(std::min<size_t>(parts, 4096));
 		_scale = sums.flexible > 0.0 ? left / sums.flexible : 0.0;
 		for (size_t i = 0; i < _groups.size(); ++i) {
 			const double limit = _groups[i].is_repeated ? std::min(_length, _at + _repeat_room) : _length;
@@ -165,8 +170,8 @@ private:
 	std::span<const SplitGroup> _groups;
 	double _length;
 	uint32_t _max_parts;
-	std::vector<uint32_t> _counts;
-	std::vector<Sums> _sums;
+	SmallVector<uint32_t, 6> _counts;
+	SmallVector<Sums, 6> _sums;
 	size_t _repeats = 0;
 	double _repeat_room = 1e300; // what the repeated parts may fill
 	double _scale = 1.0;

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/small_vector.h"
 #include "core/lang/value.h"
 
 // Where the parts of a split lie (CGA reference: op_split; section 4.2).
@@ -17,7 +18,7 @@ struct SplitSize {
 
 // Sizes that stand side by side: once, or repeated.
 struct SplitGroup {
-	std::vector<SplitSize> sizes;
+	SmallVector<SplitSize, 6> sizes;
 	bool is_repeated = false;
 };
 

@@ -7,6 +7,25 @@
 
 namespace pcg {
 
+namespace {
+
+// Most sizes are plain numbers, which need no frame.
+bool is_constant(const Program &program, Chunk chunk, Value &value) {
+	const Instruction *code = program.code.data() + uint32_t(chunk);
+	if (code->code != OpCode::PushConstant) {
+		return false;
+	}
+	const Instruction *next = code + 1;
+	value = program.constants[code->operand];
+	if (next->code == OpCode::TagSize) {
+		value.size_kind = SizeKind(next->extra);
+		++next;
+	}
+	return next->code == OpCode::Return;
+}
+
+} // namespace
+
 Vm::Vm(const Program &program, VmHost &host, VmLimits limits) : _program(&program), _host(&host), _limits(limits) {
 	_limits.max_stack = std::max(_limits.max_stack, program.max_stack + 16);
 	_memory.reset(new std::byte[size_t(_limits.max_stack) * sizeof(Value)]);
@@ -225,8 +244,11 @@ Value Vm::evaluate(Chunk chunk) {
 	if (chunk == Chunk::None) {
 		return Value();
 	}
-	Border border;
 	Value result;
+	if (is_constant(*_program, chunk, result)) {
+		return result;
+	}
+	Border border;
 	if (enter_native(border)) {
 		_address = uint32_t(chunk);
 		const Stop stop = run();
