@@ -12,6 +12,7 @@
 #include "core/cga/derivation.h"
 #include "core/cga/dialect.h"
 #include "core/io/atomic_file.h"
+#include "core/io/file_assets.h"
 #include "core/io/gltf.h"
 #include "core/io/obj.h"
 #include "core/io/rule_loader.h"
@@ -175,6 +176,7 @@ cga::InitialShape::AttributeValue attribute_value(const std::string &text) {
 
 struct Request {
 	std::string rules, footprint, out, report;
+	std::vector<std::string> asset_folders;
 	cga::InitialShape shape;
 	int64_t repeat = 1;
 };
@@ -186,6 +188,7 @@ Request read_request(Args &args) {
 	request.footprint = args.text("--shape");
 	request.out = args.text("--out");
 	request.report = args.text("--json");
+	request.asset_folders = args.all("--assets");
 	request.repeat = args.whole("--repeat", 1, 1, 1'000'000);
 	const auto [width, depth] = args.size("--lot", { 20.0, 20.0 });
 	request.shape = cga::InitialShape::rectangle(width, depth, uint64_t(args.whole("--seed", 1)));
@@ -221,7 +224,10 @@ bool load_footprint(Request &request, Diagnostics &diagnostics) {
 }
 
 cga::DerivationResult derive_timed(const Program &program, const Request &request, double &seconds) {
-	cga::Deriver deriver(program);
+	const FileAssets assets(request.asset_folders);
+	cga::DeriveOptions options;
+	options.assets = &assets;
+	cga::Deriver deriver(program, options);
 	cga::DerivationResult model;
 	const auto start = std::chrono::steady_clock::now();
 	for (int64_t i = 0; i < request.repeat; ++i) {
@@ -233,7 +239,7 @@ cga::DerivationResult derive_timed(const Program &program, const Request &reques
 
 int run_derive(std::span<const std::string_view> raw) {
 	Args args(raw,
-			{ { "--shape", "FILE" }, { "--lot", "WxD" }, { "--start", "RULE" }, { "--attr", "NAME=VALUE" }, { "--seed", "N" }, { "--repeat", "N" },
+			{ { "--shape", "FILE" }, { "--lot", "WxD" }, { "--start", "RULE" }, { "--attr", "NAME=VALUE" }, { "--seed", "N" }, { "--repeat", "N" }, { "--assets", "DIR" },
 					{ "--out", "FILE" }, { "--json", "FILE" } });
 	Request request = read_request(args);
 	if (!args.is_valid()) {
@@ -265,13 +271,14 @@ int run_derive(std::span<const std::string_view> raw) {
 const Command derive_command = {
 	"derive",
 	"pcg derive RULE.cga [--shape FOOTPRINT.obj | --lot 20x30] [--start RULE] [--attr NAME=VALUE].. [--seed N]\n"
-	"           [--repeat N] [--out MODEL.glb|MODEL.obj] [--json REPORT.json]\n"
+	"           [--assets DIR].. [--repeat N] [--out MODEL.glb|MODEL.obj] [--json REPORT.json]\n"
 	"  Derives one lot by a rule file and tells what came out: faces, entrances, zones, objects, reports.\n"
 	"  --shape FILE      polygons of an OBJ file; without it a rectangle at the origin\n"
 	"  --lot WxD         its width and depth in metres (20x20)\n"
 	"  --start RULE      the rule to start with, instead of the file's @StartRule\n"
 	"  --attr NAME=VALUE value of an attribute; may be given several times\n"
 	"  --seed N          other seed, other model (1)\n"
+	"  --assets DIR      folder with models and pictures, beside the rule file's project; may be given several times\n"
 	"  --repeat N        derives N times, for timing; tells the mean\n"
 	"  --out FILE        the model\n"
 	"  --json FILE       everything as JSON; - for standard output\n",

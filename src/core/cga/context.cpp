@@ -31,7 +31,7 @@ std::string_view object_tag(const RuleInfo &rule) {
 } // namespace
 
 Context::Context(const Program &program, const DeriveOptions &options)
-		: vm(program, *this, vm_limits(options.limits)), _program(program), _options(options) {
+		: assets(options.assets, program), vm(program, *this, vm_limits(options.limits)), _program(program), _options(options) {
 	for (const Text &text : program.texts) {
 		_selectors.push_back(selector_of(text.view));
 	}
@@ -101,6 +101,7 @@ bool Context::set_up(const InitialShape &initial_shape) {
 		texture_files.clear();
 	}
 	model.begin(_lot);
+	assets.begin();
 	model.result().diagnostics.append(diagnostics);
 	vm.begin(initial_shape.seed);
 	vm.forget_warnings();

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/random.h"
+#include "core/cga/asset_store.h"
 #include "core/cga/clip.h"
 #include "core/cga/derivation.h"
 #include "core/cga/model_builder.h"
@@ -43,6 +44,7 @@ public:
 	Surroundings surroundings;
 	Trimmer trimmer;
 	TextureFiles texture_files;
+	AssetStore assets;
 	const Lot &lot() const { return _lot; }
 	const InitialShape &initial_shape() const { return *_initial_shape; }
 	std::string_view start_rule_name() const;

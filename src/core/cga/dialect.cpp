@@ -17,6 +17,7 @@ Dialect make_dialect() {
 	add_functions(dialect);
 	add_context_functions(dialect);
 	add_uv_functions(dialect);
+	add_file_functions(dialect);
 	add_variables(dialect);
 	add_transform_operations(dialect);
 	add_frame_operations(dialect);

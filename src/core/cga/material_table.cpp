@@ -27,7 +27,6 @@ void set_map(std::vector<TextureMap> &maps, TextureUse use, const TextureSlot &s
 
 void MaterialTable::begin() {
 	_materials.clear();
-	_asset_materials.clear();
 	_known.clear();
 	_known_of_hash.clear();
 	_last = 0;

@@ -17,7 +17,7 @@ public:
 	void begin();
 	std::vector<Material> take() { return std::move(_materials); }
 
-	// For GeometryFace::material; 0 if there are too many.
+	// For GeometryFace::material, also after begin(): assets are kept. 0 if there are too many.
 	uint16_t asset_material(const Material &material);
 	// The same of what a look says: faces that keep it when their shape gets another.
 	uint16_t look_material(const Look &look) { return asset_material(make(look, 0)); }

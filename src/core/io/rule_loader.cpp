@@ -45,6 +45,11 @@ Result<std::string> FileSourceProvider::read(const std::string &path) {
 	return bytes;
 }
 
+bool FileSourceProvider::has(const std::string &path) {
+	std::error_code code;
+	return std::filesystem::is_regular_file(path, code);
+}
+
 Result<std::string> MemorySourceProvider::read(const std::string &path) {
 	const auto found = _texts.find(path);
 	if (found == _texts.end()) {

@@ -15,6 +15,7 @@ namespace pcg {
 class FileSourceProvider : public SourceProvider {
 public:
 	Result<std::string> read(const std::string &path) override;
+	bool has(const std::string &path) override;
 };
 
 // Texts by path: for tests and for hosts that hold the text already.
@@ -22,6 +23,7 @@ class MemorySourceProvider : public SourceProvider {
 public:
 	void add(std::string path, std::string text) { _texts[std::move(path)] = std::move(text); }
 	Result<std::string> read(const std::string &path) override;
+	bool has(const std::string &path) override { return _texts.contains(path); }
 
 private:
 	std::map<std::string, std::string> _texts;

@@ -165,7 +165,7 @@ std::string Loader::style_of(const Module &importer, const AstImport &import, ui
 void Loader::load_import(uint32_t module, const AstImport &import) {
 	const Module importer = _set.modules[module];
 	const ParsedFile &file = *_set.files[importer.file];
-	const std::string path = resolve_import(file.path, import.path);
+	const std::string path = find_import(_provider, file.path, import.path);
 	if (_stack.size() > max_nesting) {
 		_diagnostics.add(file.source->diagnostic(Severity::Error, "too-many-imports", import.offset,
 				"imports nested deeper than " + std::to_string(max_nesting) + " files"));

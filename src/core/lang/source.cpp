@@ -171,4 +171,49 @@ std::string resolve_import(std::string_view importer, std::string_view path) {
 	return result;
 }
 
+namespace {
+
+constexpr int max_levels_up = 8;
+
+// "a/b/" of "a/b/c"; of "a/", too. Relative paths go on with "../".
+std::string folder_above(const std::string &path) {
+	const size_t root = root_length(path);
+	const std::string_view below = std::string_view(path).substr(root);
+	const std::string_view rest = below.ends_with('/') ? below.substr(0, below.size() - 1) : below;
+	if (rest.empty() || rest == ".." || rest.ends_with("/..")) {
+		return root > 0 ? path : path + "../";
+	}
+	const size_t slash = rest.find_last_of('/');
+	return path.substr(0, root + (slash == std::string_view::npos ? 0 : slash + 1));
+}
+
+} // namespace
+
+std::string find_import(SourceProvider &provider, const std::string &importer, std::string_view path) {
+	const std::string first = resolve_import(importer, path);
+	const bool counts_from_workspace = path.starts_with('/') || path.starts_with('\\');
+	if (path.empty() || (!counts_from_workspace && (root_length(path) > 0 || provider.has(first)))) {
+		return first;
+	}
+	std::string folder = importer;
+	std::replace(folder.begin(), folder.end(), '\\', '/');
+	for (int level = 0; level < max_levels_up; ++level) {
+		const std::string above = folder_above(folder);
+		if (above == folder) {
+			break;
+		}
+		folder = above;
+		if (counts_from_workspace) {
+			const std::string candidate = resolve_import({}, folder + std::string(path.substr(1)));
+			if (provider.has(candidate)) {
+				return candidate;
+			}
+		} else if (folder.ends_with("/rules/") || folder == "rules/") {
+			const std::string candidate = resolve_import({}, folder + std::string(path));
+			return provider.has(candidate) ? candidate : first;
+		}
+	}
+	return first;
+}
+
 } // namespace pcg

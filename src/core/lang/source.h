@@ -46,9 +46,14 @@ public:
 	virtual ~SourceProvider() = default;
 	// The bytes, or why there are none (the diagnostic's message is shown at the import that asked).
 	virtual Result<std::string> read(const std::string &path) = 0;
+	virtual bool has(const std::string &path) { return bool(read(path)); }
 };
 
 // The path that `import` in the file `importer` means, without "." and ".." inside; schemes like res:// are kept.
 std::string resolve_import(std::string_view importer, std::string_view path);
+
+// The file that `import` means: with / in front it counts from the workspace, which is one of the folders above the importer (or the top of the file
+// system); else it lies beside the importer, or in the rules folder of its project. If there is none, where it should lie first.
+std::string find_import(SourceProvider &provider, const std::string &importer, std::string_view path);
 
 } // namespace pcg

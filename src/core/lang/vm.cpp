@@ -316,6 +316,10 @@ void Vm::warn(std::string_view id, std::string message, std::string hint) {
 		return;
 	}
 	_warned.insert(at, _address);
+	warn_each(id, std::move(message), std::move(hint));
+}
+
+void Vm::warn_each(std::string_view id, std::string message, std::string hint) {
 	_host->report(diagnostic_here(Severity::Warning, id, std::move(message), std::move(hint)));
 }
 

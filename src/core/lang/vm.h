@@ -121,6 +121,8 @@ public:
 	void warn(std::string_view id, std::string message, std::string hint = {});
 	// Warnings are told again: for hosts whose runs are told apart.
 	void forget_warnings() { _warned.clear(); }
+	// The same each time: for hosts that know better what was told before.
+	void warn_each(std::string_view id, std::string message, std::string hint = {});
 	bool has_failed() const { return _failed; }
 	SourcePlace place() const;
 	// Of the running instruction and different for each call in the source: hosts count uses of a call by it. Program::places[address() - 1] is its

@@ -12,6 +12,7 @@
 #include "core/cga/derivation.h"
 #include "core/cga/dialect.h"
 #include "core/cga/neighborhood.h"
+#include "core/io/file_assets.h"
 #include "core/io/rule_loader.h"
 #include "appearance_expectations.h"
 
@@ -358,9 +359,12 @@ Outcome run(const RuleTest &test) {
 	Outcome outcome;
 	const auto program = load_program(test.path, cga::cga_dialect(), outcome.diagnostics);
 	if (program != nullptr) {
+		const FileAssets assets; // of tests/assets
+		cga::DeriveOptions options = test.options;
+		options.assets = &assets;
 		std::vector<cga::InitialShape> shapes = test.neighbors;
 		shapes.push_back(test.shape);
-		outcome.model = std::move(cga::derive_all(*program, shapes, test.options, { 1, {}, nullptr }).back());
+		outcome.model = std::move(cga::derive_all(*program, shapes, options, { 1, {}, nullptr }).back());
 		outcome.diagnostics.append(outcome.model.diagnostics);
 	}
 	return outcome;

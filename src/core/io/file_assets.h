@@ -1,0 +1,44 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "core/io/asset_reader.h"
+#include "core/io/asset_search.h"
+#include "core/io/file_tree.h"
+#include "core/ports/asset_provider.h"
+
+namespace pcg {
+
+// Assets from files. Each name is looked up once and each file read once, whatever thread asks first; files that change afterwards are not read
+// again.
+class FileAssets final : public AssetProvider {
+public:
+	// `folders`: further places to look in, after the rule file's own project.
+	explicit FileAssets(std::vector<std::string> folders = {}, std::shared_ptr<const FileTree> files = std::make_shared<DiskTree>());
+	~FileAssets() override;
+
+	const Asset *find(std::string_view name, std::string_view rule_file) const override;
+	std::string locate(std::string_view name, std::string_view rule_file) const override;
+	std::shared_ptr<const Paths> search(std::string_view query, std::string_view rule_file) const override;
+	glm::uvec2 image_size(std::string_view name, std::string_view rule_file) const override;
+	const std::string *text(std::string_view name, std::string_view rule_file) const override;
+	const TextTable *table(std::string_view name, std::string_view rule_file) const override;
+
+private:
+	struct File;
+
+	File *file(std::string_view name, std::string_view rule_file) const;
+
+	std::shared_ptr<const FileTree> _files;
+	AssetSearch _search;
+	mutable std::mutex _mutex; // of the maps; reading happens outside of it
+	mutable std::map<std::pair<std::string, std::string>, std::string> _paths; // (folder of the rule file, name) to path
+	mutable std::map<std::pair<std::string, std::string>, std::shared_ptr<const Paths>> _searches;
+	mutable std::map<std::string, std::unique_ptr<File>> _by_path;
+};
+
+} // namespace pcg
