@@ -13,8 +13,6 @@ namespace pcg::cga {
 
 namespace {
 
-constexpr size_t max_table_size = 100'000; // elements of an array
-
 struct DirectedEdge {
 	glm::dvec3 from, to;
 
@@ -213,14 +211,14 @@ const AssetStore::Table *AssetStore::table(std::string_view name, uint32_t file)
 
 // Rows beyond the size of an array are left out.
 AssetStore::Table *AssetStore::make_table(const TextTable &source) {
-	const size_t rows = source.columns > 0 ? std::min<size_t>(source.rows, max_table_size / source.columns) : 0;
+	const size_t rows = source.columns > 0 ? std::min<size_t>(source.rows, max_array_size / source.columns) : 0;
 	Table &table = _tables.emplace_back();
 	for (size_t i = 0; i < rows * source.columns; ++i) {
 		table.texts.push_back(Value::of(&_texts.emplace_back(Text{ source.cells[i], no_symbol })));
 		table.numbers.push_back(Value::of(number_of(source.cells[i])));
 	}
-	table.text_array = { table.texts.data(), uint32_t(rows), source.columns };
-	table.number_array = { table.numbers.data(), uint32_t(rows), source.columns };
+	table.text_array = { table.texts.data(), uint32_t(rows), source.columns, ValueType::Text };
+	table.number_array = { table.numbers.data(), uint32_t(rows), source.columns, ValueType::Number };
 	return &table;
 }
 

@@ -62,10 +62,7 @@ Value array_of(Vm &vm, const std::vector<const Text *> &texts) {
 	for (const Text *text : texts) {
 		values.push_back(Value::of(text));
 	}
-	Value result;
-	result.type = ValueType::Array;
-	result.array = vm.make_array(values);
-	return result;
+	return Value::of(vm.make_array(values, 1, ValueType::Text));
 }
 
 Value search_array(Vm &vm, const Args &args) {
@@ -209,9 +206,9 @@ std::vector<const Text *> found_files(Vm &vm, const Args &args) {
 // assetsSortSize and the like: of a list in a text, or of an array.
 template <Measure measure> Value sort_files(Vm &vm, const Args &args) {
 	std::vector<const Text *> files;
-	if (args[0].type == ValueType::Array) {
+	if (args[0].is_array()) {
 		const ArrayData &array = *args[0].array;
-		for (uint32_t i = 0; i < array.rows * array.columns; ++i) {
+		for (uint32_t i = 0; i < array.size(); ++i) {
 			files.push_back(array.values[i].is_text() ? array.values[i].text : vm.make_text({}));
 		}
 	} else {
@@ -229,7 +226,7 @@ template <Measure measure> Value sort_files(Vm &vm, const Args &args) {
 		result.push_back(scored.file);
 		joined.append(scored.file->view).append(";");
 	}
-	return args[0].type == ValueType::Array ? array_of(vm, result) : Value::of(vm.make_text(joined));
+	return args[0].is_array() ? array_of(vm, result) : Value::of(vm.make_text(joined));
 }
 
 // One of the best n; pictures of equal error count as one.
@@ -267,15 +264,11 @@ Value read_text(Vm &vm, const Args &args) {
 
 template <bool has_numbers> Value read_table(Vm &vm, const Args &args) {
 	const AssetStore::Table *table = Context::of(vm).assets.table(text_at(args, 0), file_of(vm));
-	Value result;
-	result.type = ValueType::Array;
 	if (table == nullptr) {
 		vm.warn("missing-file", "there is no table \"" + std::string(text_at(args, 0)) + "\" to read", "an empty array is taken instead");
-		result.array = vm.make_array({});
-	} else {
-		result.array = has_numbers ? &table->number_array : &table->text_array;
+		return Value::of(vm.make_array({}, 1, has_numbers ? ValueType::Number : ValueType::Text));
 	}
-	return result;
+	return Value::of(has_numbers ? &table->number_array : &table->text_array);
 }
 
 void add_choosing_functions(Dialect &dialect) {

@@ -107,7 +107,8 @@ TEST_CASE("closed surfaces stay closed: the two sides of any cut add up to the w
 	Clipper clipper;
 	for (int round = 0; round < 300; ++round) {
 		Arena arena;
-		const Geometry *bodies[] = { make_cube(arena), make_cylinder(7, arena), make_cone(5, arena), make_sphere(8, 6, arena) };
+		const Geometry *bodies[] = { make_primitive(PrimitiveKind::Cube, 0, 0, arena), make_primitive(PrimitiveKind::Cylinder, 7, 0, arena),
+			make_primitive(PrimitiveKind::Cone, 5, 0, arena), make_primitive(PrimitiveKind::Sphere, 8, 6, arena) };
 		const Geometry *body = bodies[round % 4];
 		const glm::dvec3 normal = glm::normalize(glm::dvec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)));
 		const double offset = glm::dot(normal, glm::dvec3(random.uniform(0.2, 0.8), random.uniform(0.2, 0.8), random.uniform(0.2, 0.8)));
