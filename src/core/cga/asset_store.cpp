@@ -134,9 +134,12 @@ const Geometry *AssetStore::geometry(Model &model, Up up, ModelBuilder &builder)
 	}
 	const Arena::Mark mark = _arena.mark();
 	made = geometry.finish(_arena, false);
-	if (made != nullptr && encloses_volume(*made)) {
+	if (made != nullptr) {
+		const bool is_closed = encloses_volume(*made);
 		_arena.release(mark);
-		made = geometry.finish(_arena, true);
+		Geometry instance = *geometry.finish(_arena, is_closed);
+		instance.is_instance = true;
+		made = _arena.make(instance);
 	}
 	return made;
 }

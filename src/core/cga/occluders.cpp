@@ -46,7 +46,7 @@ Solid solid_of(const Geometry &geometry, const Shape &shape, const Frame &frame)
 
 Solid box_solid(const Shape &shape, const Frame &frame) {
 	Arena arena;
-	const Geometry *cube = make_cube(arena);
+	const Geometry *cube = make_primitive(PrimitiveKind::PlainCube, 0, 0, arena);
 	Shape box = shape;
 	const glm::dvec3 extent = shape.geometry->high - shape.geometry->low;
 	box.geometry_offset = shape.to_scope(shape.geometry->low);

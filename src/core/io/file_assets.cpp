@@ -1,6 +1,6 @@
 #include "core/io/file_assets.h"
 
-#include "core/io/image_size.h"
+#include "core/io/image_info.h"
 #include "core/io/text_asset.h"
 
 namespace pcg {
@@ -22,7 +22,7 @@ struct FileAssets::File {
 	std::string path;
 	std::once_flag asset_flag, image_flag, text_flag, table_flag;
 	Asset asset;
-	glm::uvec2 image_size{ 0 };
+	ImageInfo image;
 	std::string text;
 	TextTable table;
 };
@@ -83,16 +83,25 @@ std::shared_ptr<const AssetProvider::Paths> FileAssets::search(std::string_view 
 	return _searches.emplace(std::move(key), std::move(paths)).first->second;
 }
 
-glm::uvec2 FileAssets::image_size(std::string_view name, std::string_view rule_file) const {
+const FileAssets::File *FileAssets::image(std::string_view name, std::string_view rule_file) const {
 	File *found = file(name, rule_file);
-	if (found == nullptr) {
-		return { 0, 0 };
+	if (found != nullptr) {
+		std::call_once(found->image_flag, [&] {
+			const Result<std::string> bytes = _files->read(found->path, max_image_bytes);
+			found->image = bytes ? read_image_info(*bytes) : ImageInfo();
+		});
 	}
-	std::call_once(found->image_flag, [&] {
-		const Result<std::string> bytes = _files->read(found->path, max_image_bytes);
-		found->image_size = bytes ? pcg::image_size(*bytes) : glm::uvec2(0);
-	});
-	return found->image_size;
+	return found;
+}
+
+glm::uvec2 FileAssets::image_size(std::string_view name, std::string_view rule_file) const {
+	const File *found = image(name, rule_file);
+	return found != nullptr ? found->image.size : glm::uvec2(0);
+}
+
+bool FileAssets::has_alpha(std::string_view name, std::string_view rule_file) const {
+	const File *found = image(name, rule_file);
+	return found != nullptr && found->image.has_alpha;
 }
 
 const std::string *FileAssets::text(std::string_view name, std::string_view rule_file) const {

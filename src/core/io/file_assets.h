@@ -24,6 +24,7 @@ public:
 	const Asset *find(std::string_view name, std::string_view rule_file) const override;
 	std::string locate(std::string_view name, std::string_view rule_file) const override;
 	std::shared_ptr<const Paths> search(std::string_view query, std::string_view rule_file) const override;
+	bool has_alpha(std::string_view name, std::string_view rule_file) const override;
 	glm::uvec2 image_size(std::string_view name, std::string_view rule_file) const override;
 	const std::string *text(std::string_view name, std::string_view rule_file) const override;
 	const TextTable *table(std::string_view name, std::string_view rule_file) const override;
@@ -32,6 +33,7 @@ private:
 	struct File;
 
 	File *file(std::string_view name, std::string_view rule_file) const;
+	const File *image(std::string_view name, std::string_view rule_file) const;
 
 	std::shared_ptr<const FileTree> _files;
 	AssetSearch _search;

@@ -32,6 +32,12 @@ float number(std::string_view &rest, float fallback) {
 	return !word.empty() && result.ec == std::errc() && std::isfinite(value) ? float(value) : fallback;
 }
 
+bool is_number(std::string_view word) {
+	double value = 0.0;
+	const std::from_chars_result result = std::from_chars(word.data(), word.data() + word.size(), value);
+	return !word.empty() && result.ec == std::errc() && result.ptr == word.data() + word.size();
+}
+
 float unit_number(std::string_view &rest, float fallback) {
 	return std::clamp(number(rest, fallback), 0.0f, 1.0f);
 }
@@ -61,15 +67,18 @@ void read_map(Material &material, TextureUse use, std::string_view rest, const s
 	map.use = use;
 	for (std::string_view ahead = rest; trimmed(rest).starts_with('-'); ahead = rest) {
 		const std::string_view option = next_word(ahead);
-		size_t count = option == "-mm" ? 2 : 1;
-		if (option == "-s" || option == "-o" || option == "-t") {
+		const bool is_place = option == "-s" || option == "-o" || option == "-t";
+		size_t count = option == "-mm" ? 2 : is_place ? 0 : 1;
+		if (is_place) {
 			const float fallback = option == "-s" ? 1.0f : 0.0f;
 			float &u = option == "-s" ? map.scale_u : map.shift_u, &v = option == "-s" ? map.scale_v : map.shift_v;
 			std::string_view numbers = ahead;
 			const float first = number(numbers, fallback), second = number(numbers, fallback);
 			u = option == "-t" ? u : first;
 			v = option == "-t" ? v : second;
-			count = 3;
+			for (std::string_view after = ahead; count < 3 && is_number(next_word(after));) {
+				++count; // one to three
+			}
 		}
 		for (; count > 0; --count) {
 			next_word(ahead);

@@ -26,7 +26,7 @@ Shape random_shape(Random &random, Arena &arena, bool has_negative_sizes) {
 	shape.position = vector(-5.0, 5.0);
 	shape.rotation = rotation_from_euler(vector(-180.0, 180.0));
 	shape.size = vector(0.5, 9.0);
-	fit_to_scope(shape, make_cylinder(5, arena));
+	fit_to_scope(shape, make_primitive(PrimitiveKind::Cylinder, 5, 0, arena));
 	for (int axis = 0; axis < 3 && has_negative_sizes; ++axis) {
 		if (random.uniform() < 0.5) {
 			mirror_scope(shape, axis);

@@ -4,7 +4,7 @@
 #include <thread>
 
 #include "core/io/file_assets.h"
-#include "core/io/image_size.h"
+#include "core/io/image_info.h"
 #include "core/io/text_asset.h"
 
 using namespace pcg;
@@ -64,11 +64,14 @@ TEST_CASE("texts and tables as rules read them") {
 }
 
 TEST_CASE("sizes of pictures come from their first bytes") {
-	CHECK(image_size(std::string_view("GIF89a\3\0\2\0\0\0\0", 13)) == glm::uvec2(3, 2));
+	CHECK(read_image_info(std::string_view("GIF89a\3\0\2\0\0\0\0", 13)).size == glm::uvec2(3, 2));
 	// TIFF, two entries: width 640 as a short, height 480 as a long.
-	const std::string_view tiff("II*\0\x08\0\0\0\x02\0\x00\x01\x03\0\1\0\0\0\x80\x02\0\0\x01\x01\x04\0\1\0\0\0\xE0\x01\0\0\0\0\0\0", 38);
-	CHECK(image_size(tiff) == glm::uvec2(640, 480));
-	CHECK(image_size(tiff.substr(0, 20)) == glm::uvec2(0, 0));
-	CHECK(image_size("no picture") == glm::uvec2(0, 0));
-	CHECK(image_size("") == glm::uvec2(0, 0));
+	std::string tiff("II*\0\x08\0\0\0\x02\0\x00\x01\x03\0\1\0\0\0\x80\x02\0\0\x01\x01\x04\0\1\0\0\0\xE0\x01\0\0\0\0\0\0", 38);
+	CHECK(read_image_info(tiff).size == glm::uvec2(640, 480));
+	CHECK_FALSE(read_image_info(tiff).has_alpha);
+	CHECK(read_image_info(tiff.substr(0, 20)).size.y == 0);
+	tiff[22] = '\x52'; // the second entry, with the tag 338, tells of a further sample
+	CHECK(read_image_info(tiff).has_alpha);
+	CHECK(read_image_info("no picture").size == glm::uvec2(0, 0));
+	CHECK(read_image_info("").size == glm::uvec2(0, 0));
 }

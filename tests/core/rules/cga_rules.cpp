@@ -28,6 +28,7 @@ struct RuleTest {
 	cga::InitialShape shape = cga::InitialShape::rectangle(10.0, 10.0);
 	std::vector<cga::InitialShape> neighbors; // built by the same rules
 	cga::DeriveOptions options;
+	bool has_assets = false;
 	std::vector<std::string> expectations;
 };
 
@@ -131,6 +132,8 @@ void read_directive(const std::string &text, RuleTest &test) {
 		line >> test.shape.start_rule;
 	} else if (word == "attr") {
 		read_attribute(line, test);
+	} else if (word == "assets") {
+		test.has_assets = true;
 	} else if (word == "limit") {
 		read_limit(line, test);
 	}
@@ -359,9 +362,9 @@ Outcome run(const RuleTest &test) {
 	Outcome outcome;
 	const auto program = load_program(test.path, cga::cga_dialect(), outcome.diagnostics);
 	if (program != nullptr) {
-		const FileAssets assets; // of tests/assets
+		const FileAssets assets;
 		cga::DeriveOptions options = test.options;
-		options.assets = &assets;
+		options.assets = test.has_assets ? &assets : nullptr;
 		std::vector<cga::InitialShape> shapes = test.neighbors;
 		shapes.push_back(test.shape);
 		outcome.model = std::move(cga::derive_all(*program, shapes, options, { 1, {}, nullptr }).back());

@@ -2,6 +2,7 @@
 
 #include "core/cga/asset_store.h"
 #include "core/cga/context.h"
+#include "core/cga/operations/inserted.h"
 #include "core/cga/operations/operations.h"
 #include "core/cga/primitives.h"
 
@@ -36,39 +37,41 @@ const Geometry *builtin_geometry(Context &context, std::string_view name) {
 							 : nullptr;
 }
 
-// nullptr, with a warning: there is none.
-const Geometry *asset_geometry(Vm &vm, std::string_view name, AssetStore::Up up) {
+} // namespace
+
+const Geometry *inserted_geometry(Vm &vm, std::string_view name, AssetStore::Up up) {
 	constexpr std::string_view builtin = "builtin:";
 	Context &context = Context::of(vm);
+	const Geometry *box = context.assets.primitive(PrimitiveKind::Cube, 0, 0, context.arena);
 	if (name.starts_with(builtin)) {
 		const Geometry *geometry = builtin_geometry(context, name.substr(builtin.size()));
 		if (geometry == nullptr) {
 			vm.warn("missing-asset", "there is no \"" + std::string(name) + "\"; a box stands in its place", "built in are cube, cylinder, sphere, cone, disk and quad");
 		}
-		return geometry;
+		return geometry != nullptr ? geometry : box;
 	}
 	AssetStore::Model &model = context.assets.model(name, vm.place().file);
-	const std::string problem = model.asset != nullptr ? model.asset->problem : std::string();
+	const bool has_problem = model.asset != nullptr && !model.asset->problem.empty();
 	if (model.asset == nullptr && context.assets.is_first_time(model)) {
 		vm.warn_each("missing-asset", "there is no asset \"" + std::string(name) + "\"; a box stands in its place",
 				"names are sought in the project's folder assets, in the project itself and beside the rule file; with / in front from the workspace");
-	} else if (!problem.empty() && context.assets.is_first_time(model)) {
+	} else if (has_problem && context.assets.is_first_time(model)) {
 		const bool is_lost = model.asset->mesh.is_empty();
-		vm.warn_each("broken-asset", "\"" + std::string(name) + "\" cannot be read" + (is_lost ? "; a box stands in its place: " : " as a whole: ") + problem,
+		vm.warn_each("broken-asset", "\"" + std::string(name) + "\" cannot be read" + (is_lost ? "; a box stands in its place: " : " as a whole: ") + model.asset->problem,
 				"open it in a modelling program and save it again");
 	}
-	return context.assets.geometry(model, up, context.model);
+	const Geometry *geometry = context.assets.geometry(model, up, context.model);
+	return geometry != nullptr ? geometry : box;
 }
+
+namespace {
 
 Flow insert(Vm &vm, const Args &args) {
 	Context &context = Context::of(vm);
 	Shape &shape = context.shape;
 	const std::string_view name = args[0].is_text() ? args[0].text->view : std::string_view();
 	const bool is_z_up = args.count() > 1 && args[1].word == 1;
-	const Geometry *geometry = asset_geometry(vm, name, is_z_up ? AssetStore::Up::Z : AssetStore::Up::Y);
-	if (geometry == nullptr) {
-		geometry = context.assets.primitive(PrimitiveKind::Cube, 0, 0, context.arena);
-	}
+	const Geometry *geometry = inserted_geometry(vm, name, is_z_up ? AssetStore::Up::Z : AssetStore::Up::Y);
 	enum Mode : uint32_t { Align, KeepSizeAndPosition, KeepSizeAlignPosition };
 	const uint32_t mode = args.count() > 2 ? args[2].word : uint32_t(Align);
 	if (mode == KeepSizeAlignPosition) {
@@ -191,6 +194,7 @@ void add_asset_operations(Dialect &dialect) {
 	operations.push_back({ "primitiveCone", { sides, radius, height }, BlockKind::None, cone, "A cone that fills the scope or has the given size." });
 	operations.push_back({ "primitiveSphere", { sides, { "divisions", Number, {}, true }, radius }, BlockKind::None, sphere,
 			"A sphere that fills the scope or has the given radius." });
+	add_along_uv_operations(dialect);
 }
 
 } // namespace pcg::cga

@@ -1,4 +1,4 @@
-#include "core/io/image_size.h"
+#include "core/io/image_info.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -22,16 +22,17 @@ class TiffHeader {
 public:
 	explicit TiffHeader(std::string_view bytes) : _bytes(bytes), _is_big_endian(bytes.starts_with("MM")) {}
 
-	glm::uvec2 size() const {
-		glm::uvec2 result(0);
+	ImageInfo info() const {
+		ImageInfo result;
 		const size_t list = number(4, 4);
 		const size_t count = number(list, 2);
 		for (size_t i = 0; i < count; ++i) {
 			const size_t entry = list + 2 + i * 12;
 			const size_t tag = number(entry, 2), type = number(entry + 2, 2);
 			if (tag == 256 || tag == 257) {
-				result[tag == 256 ? 0 : 1] = number(entry + 8, type == 3 ? 2 : 4);
+				result.size[tag == 256 ? 0 : 1] = number(entry + 8, type == 3 ? 2 : 4);
 			}
+			result.has_alpha |= tag == 338; // samples beside the colours
 		}
 		return result;
 	}
@@ -55,16 +56,17 @@ private:
 
 } // namespace
 
-glm::uvec2 image_size(std::string_view bytes) {
+ImageInfo read_image_info(std::string_view bytes) {
 	if (bytes.starts_with(std::string_view("II*\0", 4)) || bytes.starts_with(std::string_view("MM\0*", 4))) {
-		return TiffHeader(bytes).size();
+		return TiffHeader(bytes).info();
 	}
 	int width = 0, height = 0, channels = 0;
 	const int size = int(std::min<size_t>(bytes.size(), 1u << 30));
 	if (stbi_info_from_memory(reinterpret_cast<const stbi_uc *>(bytes.data()), size, &width, &height, &channels) == 0 || width < 0 || height < 0) {
-		return { 0, 0 };
+		return {};
 	}
-	return { uint32_t(width), uint32_t(height) };
+	const bool is_gif = bytes.starts_with("GIF8"); // the library always gives it four channels
+	return { { uint32_t(width), uint32_t(height) }, (channels == 2 || channels == 4) && !is_gif };
 }
 
 } // namespace pcg
