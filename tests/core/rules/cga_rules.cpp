@@ -28,7 +28,6 @@ struct RuleTest {
 	cga::InitialShape shape = cga::InitialShape::rectangle(10.0, 10.0);
 	std::vector<cga::InitialShape> neighbors; // built by the same rules
 	cga::DeriveOptions options;
-	bool has_assets = false;
 	std::vector<std::string> expectations;
 };
 
@@ -39,9 +38,8 @@ struct Outcome {
 
 std::vector<glm::dvec3> read_points(std::istringstream &line) {
 	std::vector<glm::dvec3> points;
-	glm::dvec3 point;
 	char comma = 0;
-	while (line >> point.x >> comma >> point.y >> comma >> point.z) {
+	for (glm::dvec3 point; line >> point.x >> comma >> point.y >> comma >> point.z;) {
 		points.push_back(point);
 	}
 	return points;
@@ -49,9 +47,8 @@ std::vector<glm::dvec3> read_points(std::istringstream &line) {
 
 std::vector<glm::dvec2> read_uvs(std::istringstream &line) {
 	std::vector<glm::dvec2> uvs;
-	glm::dvec2 uv;
 	char comma = 0;
-	while (line >> uv.x >> comma >> uv.y) {
+	for (glm::dvec2 uv; line >> uv.x >> comma >> uv.y;) {
 		uvs.push_back(uv);
 	}
 	return uvs;
@@ -133,7 +130,8 @@ void read_directive(const std::string &text, RuleTest &test) {
 	} else if (word == "attr") {
 		read_attribute(line, test);
 	} else if (word == "assets") {
-		test.has_assets = true;
+		static const FileAssets assets;
+		test.options.assets = &assets;
 	} else if (word == "limit") {
 		read_limit(line, test);
 	}
@@ -362,12 +360,9 @@ Outcome run(const RuleTest &test) {
 	Outcome outcome;
 	const auto program = load_program(test.path, cga::cga_dialect(), outcome.diagnostics);
 	if (program != nullptr) {
-		const FileAssets assets;
-		cga::DeriveOptions options = test.options;
-		options.assets = test.has_assets ? &assets : nullptr;
 		std::vector<cga::InitialShape> shapes = test.neighbors;
 		shapes.push_back(test.shape);
-		outcome.model = std::move(cga::derive_all(*program, shapes, options, { 1, {}, nullptr }).back());
+		outcome.model = std::move(cga::derive_all(*program, shapes, test.options, { 1, {}, nullptr }).back());
 		outcome.diagnostics.append(outcome.model.diagnostics);
 	}
 	return outcome;
