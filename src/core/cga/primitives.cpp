@@ -34,13 +34,13 @@ public:
 	void add_quad(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, glm::dvec3 d) {
 		add({ a, b, c, d }, { { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.0, 1.0 } });
 	}
-	// The picture as it would lie on the bounding square seen from the side that the polygon looks to.
+	// The picture as it would lie on the bounding square seen from above.
 	void add_polygon(const std::vector<glm::dvec3> &points, bool looks_down) {
 		const size_t count = points.size();
 		for (size_t i = 0; i < count; ++i) { // downwards: the first edge stays first, turned around
 			const glm::dvec3 point = points[looks_down ? (1 + count - i) % count : i];
 			_builder.add_point(point);
-			_uvs.push_back({ looks_down ? 1.0 - point.x : point.x, 1.0 - point.z });
+			_uvs.push_back({ point.x, 1.0 - point.z });
 		}
 		_builder.end_loop();
 		_builder.end_face();

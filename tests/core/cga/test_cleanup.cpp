@@ -26,7 +26,7 @@ Shape body(const Geometry *geometry, Arena &arena) {
 
 TEST_CASE("a box shaded softly has the mean of three faces at each corner; below 90 degrees its edges are hard") {
 	Arena arena;
-	Shape shape = body(make_cube(arena), arena);
+	Shape shape = body(make_primitive(PrimitiveKind::PlainCube, 0, 0, arena), arena);
 	soften_normals(shape, 180.0, arena);
 	REQUIRE(shape.geometry->corners != nullptr);
 	for (uint32_t i = 0; i < shape.geometry->point_count; ++i) {
@@ -44,7 +44,7 @@ TEST_CASE("a box shaded softly has the mean of three faces at each corner; below
 
 TEST_CASE("with 30 degrees the sides of a cylinder are round and its ends are not") {
 	Arena arena;
-	Shape shape = body(make_cylinder(16, arena), arena);
+	Shape shape = body(make_primitive(PrimitiveKind::Cylinder, 16, 0, arena), arena);
 	soften_normals(shape, 30.0, arena);
 	size_t level = 0;
 	for (uint32_t i = 0; i < shape.geometry->point_count; ++i) {
@@ -75,7 +75,7 @@ TEST_CASE("cleaning survives what is empty, flat or gone") {
 	nothing.pivot = arena.make(Frame());
 	clean_up(nothing, { true, true, true, 1.0 }, builder, arena);
 	CHECK(nothing.geometry == nullptr);
-	Shape small = body(make_cube(arena), arena);
+	Shape small = body(make_primitive(PrimitiveKind::PlainCube, 0, 0, arena), arena);
 	small.geometry_scale = glm::dvec3(1e-3);
 	clean_up(small, { true, true, true, 1.0 }, builder, arena);
 	CHECK(small.geometry == nullptr); // a millimetre is no place for eight vertices that are a metre apart
