@@ -59,7 +59,7 @@ TEST_CASE("reducing leaves as many vertices as it says and a closed surface clos
 	for (const double share : { 0.1, 0.3, 0.6 }) {
 		Arena arena;
 		GeometryBuilder builder;
-		Shape shape = body(make_sphere(20, 12, arena), arena);
+		Shape shape = body(make_primitive(PrimitiveKind::Sphere, 20, 12, arena), arena);
 		const double before = volume(shape);
 		reduce(shape, share, builder, arena);
 		CHECK(boundary_length(shape) == 0.0);
