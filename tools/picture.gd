@@ -1,11 +1,12 @@
 extends SceneTree
-## Takes a picture of a model that `bin/pcg derive RULE.cga --out MODEL.glb` wrote, on a meadow under a clear sky:
+## Takes a picture of a model that `bin/pcg derive RULE.cga --out MODEL.glb` wrote, on level ground under a clear sky:
 ##
 ##     godot --path . --script tools/picture.gd -- [--view YAW,PITCH] [--size 960x600] [--sun YAW,HEIGHT] MODEL.glb PICTURE.png ..
 ##
 ## The camera stands YAW degrees from the front of the lot (positive: to the right) and PITCH degrees above the ground, as far away as the
 ## model needs. Options hold for the pairs of files that follow them. Needs a display (`xvfb-run -a` will do); add
 ## --rendering-method forward_plus for softer light. The pictures of docs/cga-gallery.md were taken so.
+
 const FOV_DEGREES := 28.0
 const FRAMES_BEFORE_PICTURE := 3 ## shadows and sky need a few
 const MARGIN := 1.06
@@ -111,7 +112,7 @@ func _add_surroundings(viewport: Node) -> void:
 	world.environment = environment
 	viewport.add_child(world)
 	viewport.add_child(_make_sun())
-	viewport.add_child(_make_meadow())
+	viewport.add_child(_make_ground())
 
 
 func _make_sun() -> DirectionalLight3D:
@@ -129,7 +130,7 @@ func _make_sun() -> DirectionalLight3D:
 	return sun
 
 
-func _make_meadow() -> MeshInstance3D:
+func _make_ground() -> MeshInstance3D:
 	var material := StandardMaterial3D.new()
 	material.albedo_color = Color(_options["--ground"])
 	material.roughness = 1.0
@@ -137,10 +138,10 @@ func _make_meadow() -> MeshInstance3D:
 	var plane := PlaneMesh.new()
 	plane.size = Vector2(4000.0, 4000.0)
 	plane.material = material
-	var meadow := MeshInstance3D.new()
-	meadow.mesh = plane
-	meadow.position.y = -0.02
-	return meadow
+	var ground := MeshInstance3D.new()
+	ground.mesh = plane
+	ground.position.y = -0.02
+	return ground
 
 
 ## The corners of all faces, as the camera's axes see them.
@@ -183,7 +184,7 @@ func _add_camera(viewport: Node, model: Node, aspect: float) -> void:
 
 ## Shifts the camera sideways until the picture has the same margin on opposite sides.
 func _centred(corners: PackedVector3Array, place: Vector3) -> Vector3:
-	for round: int in 3:
+	for attempt: int in 3:
 		var low := Vector2(INF, INF)
 		var high := Vector2(-INF, -INF)
 		for corner: Vector3 in corners:
