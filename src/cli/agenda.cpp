@@ -53,6 +53,8 @@ Request read_request(Args &args) {
 			args.problem("--day is one of mon tue wed thu fri sat sun");
 		}
 	}
+	const NamedFile outputs[] = { { "--out", request.out }, { "--save-population", request.people_out } };
+	check_people_outputs(args, request, request.rules, outputs);
 	return request;
 }
 

@@ -42,6 +42,10 @@ Args::Args(std::span<const std::string_view> raw, std::initializer_list<OptionSp
 			_given.emplace_back(option->name, raw[++i]);
 		} else {
 			problem(std::string(option->name) + " needs a value: " + std::string(option->name) + " " + std::string(option->value));
+			continue;
+		}
+		if (!option->value.empty() && _given.back().second.empty()) {
+			problem(std::string(option->name) + " must not be empty: " + std::string(option->name) + " " + std::string(option->value));
 		}
 	}
 }
@@ -121,7 +125,7 @@ std::pair<double, double> Args::size(std::string_view name, std::pair<double, do
 	const size_t cross = given.find('x');
 	std::pair<double, double> value;
 	const bool is_good = cross != std::string::npos && parse_whole_text(given.substr(0, cross), value.first) &&
-			parse_whole_text(given.substr(cross + 1), value.second) && value.first > 0.0 && value.second > 0.0;
+			parse_whole_text(given.substr(cross + 1), value.second) && value.first > 0.0 && value.second > 0.0 && value.first <= 1e6 && value.second <= 1e6;
 	if (!is_good) {
 		problem(std::string(name) + " takes two positive numbers such as 20x30, not \"" + given + "\"");
 		return fallback;

@@ -1,3 +1,4 @@
+#include <csignal>
 #include <cstdio>
 #include <span>
 #include <string>
@@ -80,6 +81,9 @@ int run(std::span<const std::string_view> args) {
 } // namespace pcg::cli
 
 int main(int argc, char **argv) {
+#ifdef SIGXFSZ
+	std::signal(SIGXFSZ, SIG_IGN); // a limit of file sizes is an error of writing, which removes what was begun
+#endif
 	const std::vector<std::string_view> args(argv + (argc > 0 ? 1 : 0), argv + argc);
 	const int status = pcg::cli::run(args);
 	if (std::fflush(stdout) != 0 || std::ferror(stdout)) {

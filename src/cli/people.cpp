@@ -5,12 +5,19 @@
 
 namespace pcg::cli {
 
+namespace {
+
+// Twice the largest city there is; a person takes some 100 bytes and an agenda several hundred.
+constexpr int64_t most_persons = 20'000'000;
+
+} // namespace
+
 PeopleRequest read_people_request(Args &args) {
 	PeopleRequest request;
 	request.city = args.text("--city");
 	request.households = args.text("--households");
 	request.people = args.text("--population");
-	request.persons = uint32_t(args.whole("--persons", 0, 0, 100'000'000));
+	request.persons = uint32_t(args.whole("--persons", 0, 1, most_persons));
 	request.seed = uint64_t(args.whole("--seed", 1));
 	if (request.city.empty()) {
 		args.problem("--city CITY.json is missing");
@@ -22,6 +29,12 @@ PeopleRequest read_people_request(Args &args) {
 		args.problem("--households needs --persons N");
 	}
 	return request;
+}
+
+void check_people_outputs(Args &args, const PeopleRequest &request, const std::string &rules, std::span<const NamedFile> outputs) {
+	const NamedFile inputs[] = { { "the rule file", rules }, { "--city", request.city }, { "--households", request.households },
+		{ "--population", request.people } };
+	check_outputs(args, inputs, outputs);
 }
 
 bool make_people(const PeopleRequest &request, const CityFile &city, PopulationFile &people, Diagnostics &diagnostics) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cli/args.h"
+#include "cli/file_names.h"
 #include "core/base/diagnostic.h"
 #include "core/io/city_json.h"
 #include "core/io/population_csv.h"
@@ -20,6 +21,9 @@ struct PeopleRequest {
 };
 
 PeopleRequest read_people_request(Args &args);
+
+// Notes a problem for each output that would overwrite an input or another output.
+void check_people_outputs(Args &args, const PeopleRequest &request, const std::string &rules, std::span<const NamedFile> outputs);
 
 // Drawn or read. False, with errors, if there is nobody.
 bool make_people(const PeopleRequest &request, const CityFile &city, PopulationFile &people, Diagnostics &diagnostics);

@@ -69,6 +69,8 @@ Request read_request(Args &args) {
 	request.lived = args.text("--lived");
 	request.heat_map = args.text("--heat-map");
 	request.wants_story = args.has("--story");
+	const NamedFile outputs[] = { { "--trace", request.trace }, { "--json", request.json }, { "--lived", request.lived }, { "--heat-map", request.heat_map } };
+	check_people_outputs(args, request, request.rules, outputs);
 	if (args.has("--jump")) {
 		request.jump = clock_time(args.text("--jump"));
 		if (!request.jump || *request.jump >= Duration{ request.days * one_day.ms }) {

@@ -100,6 +100,12 @@ private:
 			return _csv.at(row, size_t(_count), "negative-count", "a negative number of households: " + text,
 					"counts are 0 or larger");
 		}
+		constexpr double most = 1e12;
+		if (value != std::floor(value) || value > most) {
+			return _csv.at(row, size_t(_count), "not-a-number",
+					"'" + text + "' is not a number of households" + (value > most ? ": it is beyond 1000000000000" : ": households are counted whole"),
+					"write a whole number");
+		}
 		return value;
 	}
 

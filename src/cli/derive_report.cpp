@@ -1,0 +1,223 @@
+#include "cli/derive_report.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include <glm/common.hpp>
+#include <nlohmann/json.hpp>
+
+namespace pcg::cli {
+
+namespace {
+
+using json = nlohmann::ordered_json;
+
+json to_json(glm::vec3 vector) {
+	return { vector.x, vector.y, vector.z };
+}
+
+json entrances_json(const cga::DerivationResult &model) {
+	json list = json::array();
+	for (const cga::ModelEntrance &entrance : model.entrances) {
+		list.push_back({ { "type", entrance.type }, { "position", to_json(entrance.position) }, { "facing", to_json(entrance.facing) }, { "capacity", entrance.capacity } });
+	}
+	return list;
+}
+
+json zones_json(const cga::DerivationResult &model) {
+	json list = json::array();
+	for (const cga::ModelZone &zone : model.zones) {
+		json polygon = json::array();
+		for (const glm::vec3 &point : zone.polygon) {
+			polygon.push_back(to_json(point));
+		}
+		list.push_back({ { "type", zone.type }, { "height", zone.height }, { "polygon", polygon } });
+	}
+	return list;
+}
+
+json objects_json(const cga::DerivationResult &model) {
+	json list = json::array();
+	for (const cga::ModelObject &object : model.objects) {
+		json places = json::array();
+		for (const cga::ModelPlace &place : object.places) {
+			places.push_back({ { "position", to_json(place.position) }, { "facing", to_json(place.facing) } });
+		}
+		list.push_back({ { "type", object.tag }, { "position", to_json(glm::vec3(object.frame[3])) }, { "faces", object.mesh.faces.size() },
+				{ "parent", object.parent }, { "places", places } });
+	}
+	return list;
+}
+
+json reports_json(const cga::DerivationResult &model) {
+	json map = json::object(); // in order of first use
+	for (const cga::ModelReport &report : model.reports) {
+		map[report.key] = { { "n", report.count }, { "sum", report.sum }, { "min", report.min }, { "max", report.max },
+			{ "avg", report.sum / double(std::max<uint64_t>(report.count, 1)) } };
+	}
+	return map;
+}
+
+json diagnostics_json(const Diagnostics &diagnostics) {
+	json list = json::array();
+	for (const Diagnostic &d : diagnostics.list()) {
+		list.push_back({ { "severity", d.severity == Severity::Error ? "error" : "warning" }, { "id", d.id }, { "file", d.file }, { "line", d.line },
+				{ "column", d.column }, { "message", d.message }, { "hint", d.hint } });
+	}
+	return list;
+}
+
+json materials_json(const cga::DerivationResult &model) {
+	json list = json::array();
+	for (const Material &material : model.materials) {
+		list.push_back({ { "color", { material.color.r, material.color.g, material.color.b, material.color.a } }, { "roughness", material.roughness },
+				{ "metallic", material.metallic } });
+	}
+	return list;
+}
+
+json bounds_json(const Mesh &mesh) {
+	if (mesh.positions.empty()) {
+		return nullptr;
+	}
+	glm::vec3 low = mesh.positions[0], high = low;
+	for (const glm::vec3 &point : mesh.positions) {
+		low = glm::min(low, point);
+		high = glm::max(high, point);
+	}
+	return { to_json(low), to_json(high) };
+}
+
+
+json shapes_json(const DeriveOutcome &outcome) {
+	json list = json::array();
+	for (size_t i = 0; i < outcome.models.size(); ++i) {
+		const cga::DerivationResult &model = outcome.models[i];
+		list.push_back({ { "name", outcome.names[i] }, { "faces", model.mesh.faces.size() }, { "vertices", model.mesh.positions.size() },
+				{ "area", area(model.mesh) }, { "bbox", bounds_json(model.mesh) }, { "reports", reports_json(model) } });
+	}
+	return list;
+}
+
+void add_reports(cga::DerivationResult &sum, const cga::DerivationResult &model) {
+	for (const cga::ModelReport &report : model.reports) {
+		const auto found = std::ranges::find(sum.reports, report.key, &cga::ModelReport::key);
+		if (found == sum.reports.end()) {
+			sum.reports.push_back(report);
+			continue;
+		}
+		found->count += report.count;
+		found->sum += report.sum;
+		found->min = std::min(found->min, report.min);
+		found->max = std::max(found->max, report.max);
+	}
+}
+
+void add_objects(cga::DerivationResult &sum, const cga::DerivationResult &model, uint32_t material_offset) {
+	const int32_t first = int32_t(sum.objects.size());
+	for (cga::ModelObject object : model.objects) {
+		for (MeshFace &face : object.mesh.faces) {
+			face.material += material_offset;
+		}
+		object.parent += object.parent >= 0 ? first : 0;
+		sum.objects.push_back(std::move(object));
+	}
+}
+
+// The same message of many shapes is told once.
+void add_diagnostics(Diagnostics &sum, const Diagnostics &more) {
+	for (const Diagnostic &diagnostic : more.list()) {
+		const bool is_known = std::ranges::any_of(sum.list(), [&](const Diagnostic &other) {
+			return other.id == diagnostic.id && other.file == diagnostic.file && other.line == diagnostic.line && other.column == diagnostic.column &&
+					other.message == diagnostic.message;
+		});
+		if (!is_known) {
+			sum.add(diagnostic);
+		}
+	}
+}
+
+} // namespace
+
+cga::DerivationResult sum_of(std::span<const cga::DerivationResult> models) {
+	cga::DerivationResult sum;
+	for (const cga::DerivationResult &model : models) {
+		const uint32_t offset = uint32_t(sum.materials.size());
+		append(sum.mesh, model.mesh, offset);
+		sum.materials.insert(sum.materials.end(), model.materials.begin(), model.materials.end());
+		sum.entrances.insert(sum.entrances.end(), model.entrances.begin(), model.entrances.end());
+		sum.zones.insert(sum.zones.end(), model.zones.begin(), model.zones.end());
+		sum.prints.insert(sum.prints.end(), model.prints.begin(), model.prints.end());
+		add_objects(sum, model, offset);
+		add_reports(sum, model);
+		add_diagnostics(sum.diagnostics, model.diagnostics);
+		sum.shape_count += model.shape_count;
+		sum.leaf_count += model.leaf_count;
+		sum.face_count += model.face_count;
+	}
+	return sum;
+}
+
+std::string report_json(const DeriveOutcome &outcome, const Diagnostics &diagnostics) {
+	const cga::DerivationResult &model = outcome.sum;
+	const json document = { { "faces", model.mesh.faces.size() }, { "vertices", model.mesh.positions.size() }, { "area", area(model.mesh) },
+		{ "bbox", bounds_json(model.mesh) }, { "shapes", model.shape_count }, { "leaves", model.leaf_count }, { "materials", materials_json(model) },
+		{ "reports", reports_json(model) }, { "prints", model.prints }, { "entrances", entrances_json(model) }, { "zones", zones_json(model) },
+		{ "objects", objects_json(model) }, { "initial_shapes", shapes_json(outcome) }, { "diagnostics", diagnostics_json(diagnostics) },
+		{ "seconds", outcome.seconds } };
+	return document.dump(1, '\t', false, json::error_handler_t::replace) + "\n";
+}
+
+void print_summary(const DeriveOutcome &outcome) {
+	const cga::DerivationResult &model = outcome.sum;
+	std::printf("%zu faces, %.1f m2, %zu materials, %llu shapes, %.2f ms\n", model.mesh.faces.size(), area(model.mesh), model.materials.size(),
+			static_cast<unsigned long long>(model.shape_count), outcome.seconds * 1000.0);
+	for (const cga::ModelEntrance &entrance : model.entrances) {
+		std::printf("entrance %s at %.2f %.2f %.2f, capacity %u\n", entrance.type.c_str(), entrance.position.x, entrance.position.y, entrance.position.z,
+				entrance.capacity);
+	}
+	for (const cga::ModelZone &zone : model.zones) {
+		std::printf("zone %s, %zu corners, %.2f m high\n", zone.type.c_str(), zone.polygon.size(), zone.height);
+	}
+	for (const cga::ModelObject &object : model.objects) {
+		std::printf("object %s at %.2f %.2f %.2f, %zu places\n", object.tag.c_str(), object.frame[3].x, object.frame[3].y, object.frame[3].z, object.places.size());
+	}
+	for (const cga::ModelReport &report : model.reports) {
+		std::printf("report %s: n %llu sum %g min %g max %g\n", report.key.c_str(), static_cast<unsigned long long>(report.count), report.sum, report.min,
+				report.max);
+	}
+	for (const std::string &line : model.prints) {
+		std::printf("%s\n", line.c_str());
+	}
+}
+
+std::string obj_text(const DeriveOutcome &outcome) {
+	std::string text;
+	char line[96];
+	size_t first = 1;
+	const auto add_mesh = [&](const Mesh &mesh, const glm::mat4 &frame, const std::string &name) {
+		text += "o " + name + "\n";
+		for (const MeshSurface &surface : make_surfaces(mesh)) {
+			for (const glm::vec3 &point : surface.positions) {
+				const glm::vec4 world = frame * glm::vec4(point, 1.0f);
+				std::snprintf(line, sizeof line, "v %.6g %.6g %.6g\n", world.x, world.y, world.z);
+				text += line;
+			}
+			for (size_t i = 0; i + 2 < surface.indices.size(); i += 3) {
+				std::snprintf(line, sizeof line, "f %zu %zu %zu\n", first + surface.indices[i], first + surface.indices[i + 1], first + surface.indices[i + 2]);
+				text += line;
+			}
+			first += surface.positions.size();
+		}
+	};
+	size_t object_count = 0;
+	for (size_t i = 0; i < outcome.models.size(); ++i) {
+		add_mesh(outcome.models[i].mesh, glm::mat4(1.0f), outcome.names[i]);
+		for (const cga::ModelObject &object : outcome.models[i].objects) {
+			add_mesh(object.mesh, object.frame, "object_" + std::to_string(object_count++));
+		}
+	}
+	return text;
+}
+
+} // namespace pcg::cli
