@@ -16,7 +16,7 @@ bool is_same_file(const std::string &a, const std::string &b) {
 	if (fs::equivalent(a, b, error) && !error) {
 		return !fs::is_character_file(a, error); // /dev/null takes everything
 	}
-	const fs::path left = fs::weakly_canonical(a, error), right = fs::weakly_canonical(b, error);
+	const fs::path left = fs::weakly_canonical(fs::absolute(a, error), error), right = fs::weakly_canonical(fs::absolute(b, error), error);
 	return !error && left == right;
 }
 

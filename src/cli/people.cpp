@@ -55,7 +55,12 @@ bool make_people(const PeopleRequest &request, const CityFile &city, PopulationF
 	PopulationOptions options;
 	options.seed = request.seed;
 	options.persons = request.persons;
-	people.population = generate_population(*table, city.city, options, diagnostics);
+	Diagnostics found;
+	people.population = generate_population(*table, city.city, options, found);
+	for (Diagnostic diagnostic : found.list()) {
+		diagnostic.file = diagnostic.file.empty() ? (diagnostic.id == "no-homes" ? request.city : request.households) : diagnostic.file;
+		diagnostics.add(std::move(diagnostic));
+	}
 	return !diagnostics.has_errors();
 }
 

@@ -47,12 +47,13 @@ public:
 			task_count += batch.tasks.size();
 		}
 		set.tasks.reserve(task_count);
-		std::vector<Place> warned;
+		std::vector<Told> told;
 		for (Batch &batch : _batches) {
 			append(set, batch);
-			add_diagnostics(batch, warned, diagnostics);
+			add_diagnostics(batch, told);
 			batch = {};
 		}
+		tell(told, diagnostics);
 		// A cancelled generation leaves the rest without entries.
 		set.first_task.resize(_population.persons.size() + 1, uint32_t(set.tasks.size()));
 		set.first_floating_task.resize(_population.persons.size() + 1, uint32_t(set.floating_tasks.size()));
@@ -61,7 +62,11 @@ public:
 	}
 
 private:
-	using Place = std::tuple<std::string_view, std::string, uint32_t, uint32_t>;
+	// A message, and how often it came again from the same place in the rules.
+	struct Told {
+		Diagnostic first;
+		uint64_t repeats = 0;
+	};
 
 	void fill(size_t index) {
 		Batch &batch = _batches[index];
@@ -126,17 +131,28 @@ private:
 		std::move(batch.groups.begin(), batch.groups.end(), std::back_inserter(set.groups));
 	}
 
-	// Batches come in order, so the warning that is kept is that of the first household.
-	static void add_diagnostics(Batch &batch, std::vector<Place> &warned, Diagnostics &diagnostics) {
+	// Batches come in order, so what is kept is what the first household said.
+	static void add_diagnostics(Batch &batch, std::vector<Told> &told) {
 		for (Diagnostic &diagnostic : batch.diagnostics) {
-			if (diagnostic.severity == Severity::Warning) {
-				Place place{ diagnostic.id, diagnostic.file, diagnostic.line, diagnostic.column };
-				if (std::find(warned.begin(), warned.end(), place) != warned.end()) {
-					continue;
-				}
-				warned.push_back(std::move(place));
+			const auto is_same = [&](const Told &other) {
+				return other.first.id == diagnostic.id && other.first.file == diagnostic.file && other.first.line == diagnostic.line &&
+						other.first.column == diagnostic.column;
+			};
+			const auto found = std::find_if(told.begin(), told.end(), is_same);
+			if (found != told.end()) {
+				++found->repeats;
+			} else {
+				told.push_back({ std::move(diagnostic), 0 });
 			}
-			diagnostics.add(std::move(diagnostic));
+		}
+	}
+
+	static void tell(std::vector<Told> &told, Diagnostics &diagnostics) {
+		for (Told &one : told) {
+			if (one.repeats > 0 && one.first.severity == Severity::Error) {
+				one.first.message += ", and the same " + std::to_string(one.repeats) + (one.repeats == 1 ? " time more" : " times more");
+			}
+			diagnostics.add(std::move(one.first));
 		}
 	}
 

@@ -81,6 +81,11 @@ void Context::run_pass(const InitialShape &initial_shape) {
 }
 
 bool Context::set_up(const InitialShape &initial_shape) {
+	if (_program.dialect == nullptr || _program.dialect->name != "cga") {
+		model.begin({});
+		model.result().diagnostics.error("wrong-dialect", "these rules are not written in the shape grammar", "buildings are derived by .cga files");
+		return false;
+	}
 	_initial_shape = &initial_shape;
 	_lot = {};
 	_saved.clear();

@@ -152,7 +152,7 @@ bool make_initial_shape(const InitialShape &source, Arena &arena, Lot &lot, Shap
 	const auto faces = usable_faces(source, diagnostics);
 	if (faces.empty()) {
 		diagnostics.error("bad-initial-shape", "the initial shape has no polygon with an area",
-				"give at least three different points with finite coordinates that do not lie on one line");
+				"give at least three different points with finite coordinates that do not lie on one line; an outline that crosses itself can have no area either");
 		return false;
 	}
 	const Loop &first = faces[0][0].points;

@@ -247,7 +247,7 @@ std::optional<CityFile> parse_city_json(std::string_view text, const std::string
 	if (!document) {
 		return std::nullopt;
 	}
-	const JsonValue root(*document, "", file, diagnostics);
+	const JsonValue root(*document, "", file, text, diagnostics);
 	CityFile city;
 	if (root.is_object()) {
 		root.allow_only({ "buildings", "zones", "objects" });

@@ -31,6 +31,14 @@ char separator_of(std::string_view header) {
 	return best;
 }
 
+std::string column_key(std::string_view name) {
+	std::string key(name);
+	for (char &c : key) {
+		c = c == ' ' || c == '-' ? '_' : char(std::tolower(static_cast<unsigned char>(c)));
+	}
+	return key;
+}
+
 std::string trimmed(std::string_view text) {
 	const size_t first = text.find_first_not_of(" \t\r");
 	if (first == std::string_view::npos) {
@@ -148,11 +156,7 @@ private:
 
 int CsvTable::find_column(std::string_view name) const {
 	for (size_t i = 0; i < header.fields.size(); ++i) {
-		std::string field = header.fields[i].text;
-		for (char &c : field) {
-			c = c == ' ' || c == '-' ? '_' : char(std::tolower(static_cast<unsigned char>(c)));
-		}
-		if (field == name) {
+		if (column_key(header.fields[i].text) == name) {
 			return int(i);
 		}
 	}
@@ -182,6 +186,12 @@ Result<CsvTable> parse_csv(std::string_view text, std::string_view file) {
 		return header.diagnostic();
 	}
 	table.header = std::move(*header);
+	for (size_t i = 0; i < table.header.fields.size(); ++i) {
+		const std::string &name = table.header.fields[i].text;
+		if (!name.empty() && table.find_column(column_key(name)) != int(i)) {
+			return table.at(table.header, i, "duplicate-column", "there are two columns '" + name + "'", "remove one of them, or name it otherwise");
+		}
+	}
 	while (!scanner.is_at_end()) {
 		Result<CsvRow> row = scanner.read_row();
 		if (!row) {

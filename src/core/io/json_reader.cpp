@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/io/json_place.h"
+
 namespace pcg {
 
 namespace {
@@ -24,33 +26,38 @@ public:
 	bool end_object() override { return true; }
 	bool start_array(size_t) override { return true; }
 	bool end_array() override { return true; }
-	bool parse_error(size_t position, const std::string &, const nlohmann::detail::exception &exception) override {
+	bool parse_error(size_t position, const std::string &, const nlohmann::detail::exception &) override {
 		at = position;
-		reason = exception.what();
 		return false;
 	}
 
 	size_t at = 0; // bytes read, the offending one included
-	std::string reason;
 };
 
-// "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error while .." without what we say ourselves.
-std::string plain_reason(const std::string &reason) {
-	const size_t place = reason.find("column ");
-	const size_t colon = place == std::string::npos ? place : reason.find(": ", place);
-	const std::string text = colon == std::string::npos ? reason : reason.substr(colon + 2);
-	return text.size() > 300 ? text.substr(0, 300) + " .." : text;
-}
-
-Diagnostic parse_diagnostic(std::string_view text, const std::string &file, const ErrorFinder &finder) {
-	const size_t at = std::min(finder.at > 0 ? finder.at - 1 : 0, text.size());
+void set_place(Diagnostic &diagnostic, std::string_view text, size_t at) {
 	const std::string_view before = text.substr(0, at);
 	const size_t line_start = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
 	const size_t line_end = std::min(text.find('\n', at), text.size());
-	Diagnostic diagnostic{ Severity::Error, "bad-json", file, 0, 0, "this is not JSON: " + plain_reason(finder.reason), {}, {} };
+	constexpr size_t longest = 2000; // a file without line breaks need not be shown
 	diagnostic.line = uint32_t(1 + std::count(before.begin(), before.end(), '\n'));
 	diagnostic.column = uint32_t(at - line_start + 1);
-	diagnostic.source = std::string(text.substr(line_start, line_end - line_start));
+	diagnostic.source = at - line_start < longest ? std::string(text.substr(line_start, std::min(line_end - line_start, longest))) : std::string();
+}
+
+Diagnostic parse_diagnostic(std::string_view text, const std::string &file, size_t found) {
+	const size_t at = std::min(found > 0 ? found - 1 : 0, text.size());
+	Diagnostic diagnostic{ Severity::Error, "bad-json", file, 0, 0, {}, "a comma, a quote or a bracket may be missing before it", {} };
+	const char c = at < text.size() ? text[at] : '\0';
+	if (at >= text.size()) {
+		diagnostic.message = "this is not JSON: the file ends where a value or a closing bracket is missing";
+		diagnostic.hint = "was the file written to its end?";
+	} else if (c > ' ' && c < 0x7F) {
+		diagnostic.message = std::string("this is not JSON: `") + c + "` is out of place here";
+	} else {
+		diagnostic.message = "this is not JSON: there is a character that cannot stand here";
+		diagnostic.hint = "is this a text in UTF-8?";
+	}
+	set_place(diagnostic, text, at);
 	return diagnostic;
 }
 
@@ -65,7 +72,7 @@ std::string number_text(double value) {
 std::optional<Json> parse_json(std::string_view text, const std::string &file, Diagnostics &diagnostics) {
 	ErrorFinder finder;
 	if (!Json::sax_parse(text.begin(), text.end(), &finder)) {
-		diagnostics.add(parse_diagnostic(text, file, finder));
+		diagnostics.add(parse_diagnostic(text, file, finder.at));
 		return std::nullopt;
 	}
 	Json document = Json::parse(text.begin(), text.end(), nullptr, false);
@@ -130,7 +137,7 @@ std::optional<std::vector<JsonValue>> JsonValue::elements() const {
 	}
 	std::vector<JsonValue> values;
 	for (size_t i = 0; i < _value->size(); ++i) {
-		values.emplace_back((*_value)[i], _path + "[" + std::to_string(i) + "]", *_file, *_diagnostics);
+		values.emplace_back((*_value)[i], _path + "[" + std::to_string(i) + "]", *_file, _text, *_diagnostics);
 	}
 	return values;
 }
@@ -140,7 +147,7 @@ std::optional<JsonValue> JsonValue::member(std::string_view key) const {
 	if (!_value->is_object() || found == _value->end()) {
 		return std::nullopt;
 	}
-	return JsonValue(*found, _path.empty() ? std::string(key) : _path + "." + std::string(key), *_file, *_diagnostics);
+	return JsonValue(*found, _path.empty() ? std::string(key) : _path + "." + std::string(key), *_file, _text, *_diagnostics);
 }
 
 std::optional<JsonValue> JsonValue::required(std::string_view key) const {
@@ -162,13 +169,20 @@ void JsonValue::allow_only(const std::vector<std::string_view> &keys) const {
 }
 
 void JsonValue::error(std::string message, std::string hint) const {
-	const std::string place = _path.empty() ? "the whole file" : _path;
-	_diagnostics->add({ Severity::Error, "bad-value", *_file, 0, 0, place + ": " + message, std::move(hint), {} });
+	tell(Severity::Error, "bad-value", std::move(message), hint.empty() ? "correct this value in the file" : std::move(hint));
 }
 
 void JsonValue::warning(std::string_view id, std::string message, std::string hint) const {
+	tell(Severity::Warning, id, std::move(message), std::move(hint));
+}
+
+void JsonValue::tell(Severity severity, std::string_view id, std::string message, std::string hint) const {
 	const std::string place = _path.empty() ? "the whole file" : _path;
-	_diagnostics->add({ Severity::Warning, id, *_file, 0, 0, place + ": " + message, std::move(hint), {} });
+	Diagnostic diagnostic{ severity, id, *_file, 0, 0, place + ": " + message, std::move(hint), {} };
+	if (!_text.empty()) {
+		set_place(diagnostic, _text, std::min(find_json_place(_text, _path), _text.size()));
+	}
+	_diagnostics->add(std::move(diagnostic));
 }
 
 } // namespace pcg

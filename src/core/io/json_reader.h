@@ -19,8 +19,9 @@ std::optional<nlohmann::json> parse_json(std::string_view text, const std::strin
 // A value and where it stands. Cheap to copy as long as the document lives.
 class JsonValue {
 public:
-	JsonValue(const nlohmann::json &value, std::string path, const std::string &file, Diagnostics &diagnostics) :
-			_value(&value), _path(std::move(path)), _file(&file), _diagnostics(&diagnostics) {}
+	// `text`: what the document was read from, for lines and columns.
+	JsonValue(const nlohmann::json &value, std::string path, const std::string &file, std::string_view text, Diagnostics &diagnostics) :
+			_value(&value), _path(std::move(path)), _file(&file), _text(text), _diagnostics(&diagnostics) {}
 
 	// Each returns false or nothing after reporting an error.
 	bool is_object() const;
@@ -41,9 +42,12 @@ public:
 	void warning(std::string_view id, std::string message, std::string hint = {}) const;
 
 private:
+	void tell(Severity severity, std::string_view id, std::string message, std::string hint) const;
+
 	const nlohmann::json *_value;
 	std::string _path;
 	const std::string *_file;
+	std::string_view _text;
 	Diagnostics *_diagnostics;
 };
 

@@ -150,7 +150,8 @@ bool Parser::starts_item() const {
 		return true;
 	}
 	if (names_follow && (word == "start" || word == "extension")) { // old files have rules of these names
-		return starts_definition(_at + 1);
+		const bool ends_line = peek(1).starts_line && !peek().starts_line; // a call of such a rule, and the next rule below it
+		return !ends_line && starts_definition(_at + 1);
 	}
 	if (is(TokenKind::String, 1) && (word == "version" || word == "import")) {
 		return true;

@@ -373,8 +373,8 @@ uint32_t RuleSet::find_rule(uint32_t space, std::string_view name, size_t param_
 	}
 	const uint32_t found = find_overload(*this, find_list(spaces[space].rules, name), param_count);
 	const uint32_t start = spaces[space].start;
-	const bool is_start = found == no_node && name == "start" && start != no_node && definitions[start].param_count == param_count;
-	return is_start ? start : found;
+	return found == no_node && name == "start" && start != no_node
+			? find_overload(*this, find_list(spaces[space].rules, definitions[start].item->name), param_count) : found;
 }
 
 uint32_t RuleSet::find_value(uint32_t space, std::string_view name, size_t param_count) const {

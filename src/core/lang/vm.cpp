@@ -339,6 +339,9 @@ const ArrayData *Vm::make_array(std::span<const Value> values, uint32_t rows, Va
 }
 
 Value Vm::mismatch(std::string_view id, std::string message, const Value &fallback, std::string hint) {
+	if (hint.empty() && id == "type-mismatch") {
+		hint = "only values of one kind go together: text in quotes is not a number, a number is neither true nor false";
+	}
 	if (is_strict()) {
 		return fail(id, std::move(message), std::move(hint));
 	}

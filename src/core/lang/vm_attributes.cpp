@@ -65,7 +65,8 @@ const Value &Vm::load_attribute(uint32_t index) {
 		return value;
 	}
 	if (is_in_evaluation(value)) {
-		fail("attribute-cycle", "the value of `" + _program->attributes[index].name + "` depends on itself");
+		fail("attribute-cycle", "the value of `" + _program->attributes[index].name + "` depends on itself",
+				"give one of the values on the way a number or text of its own");
 		return value;
 	}
 	value = in_evaluation;

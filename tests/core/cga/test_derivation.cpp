@@ -11,6 +11,7 @@
 
 #include "core/cga/dialect.h"
 #include "core/io/rule_loader.h"
+#include "core/sim/dialect.h"
 
 using namespace pcg;
 using namespace pcg::cga;
@@ -153,4 +154,27 @@ TEST_CASE("rules that never end are stopped with one error, and what they made u
 	CHECK(tower.mesh.faces.size() > 6000);
 	const auto wide = compiled("Lot --> Lot Lot Lot");
 	CHECK(derive(*wide, InitialShape::rectangle(10.0, 10.0), options).diagnostics.error_count() == 1);
+}
+
+TEST_CASE("rules of the other language are told, not derived") {
+	MemorySourceProvider provider;
+	provider.add("day.pcg", "@StartRule\nHousehold --> members { true: stayInside(0, 1h, home) }");
+	Diagnostics diagnostics;
+	const auto program = load_program("day.pcg", pcg_dialect(), provider, diagnostics);
+	REQUIRE(program != nullptr);
+	const DerivationResult model = derive(*program, InitialShape::rectangle(10.0, 10.0));
+	REQUIRE(model.diagnostics.error_count() == 1);
+	CHECK(model.diagnostics.list()[0].id == "wrong-dialect");
+	CHECK(model.mesh.is_empty());
+}
+
+TEST_CASE("a function that calls itself twice ends in time") {
+	MemorySourceProvider provider;
+	provider.add("a.cga", "f(n) = case n == 0 : 1 else : f(n - 1) + f(n - 1)\nLot --> extrude(f(60))");
+	Diagnostics diagnostics;
+	const auto program = load_program("a.cga", cga_dialect(), provider, diagnostics);
+	REQUIRE(program != nullptr);
+	const DerivationResult model = derive(*program, InitialShape::rectangle(10.0, 10.0));
+	REQUIRE(model.diagnostics.error_count() == 1);
+	CHECK(model.diagnostics.list()[0].id == "step-limit");
 }

@@ -1,5 +1,7 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "core/io/city_json.h"
 
 using namespace pcg;
@@ -89,6 +91,37 @@ TEST_CASE("a value of the wrong kind is named with its path in the file") {
 	CHECK(first_message(R"({"zones": [{"id": 1, "type": "b", "polygon": [[0, 0, 0]]}]})").find("zones[0].polygon: ") == 0);
 	const char *twice = R"({"zones": [{"id": 1, "type": "b", "polygon": [[0,0,0],[1,0,0],[1,0,1]]}, {"id": 1, "type": "b", "polygon": [[0,0,0],[1,0,0],[1,0,1]]}]})";
 	CHECK(first_message(twice).find("zones[1].id: the id 1 occurs twice") == 0);
+}
+
+TEST_CASE("a wrong value is told with its line and column, and what to do") {
+	Diagnostics diagnostics;
+	const std::string text = "{\n \"zones\": [],\n \"buildings\": [\n  {\"id\": 1, \"entrances\": []},\n  {\"entrances\": [], \"id\": 2.5}\n ]\n}";
+	CHECK_FALSE(parse_city_json(text, "city.json", diagnostics).has_value());
+	const auto found = std::ranges::find(diagnostics.list(), Severity::Error, &Diagnostic::severity);
+	REQUIRE(found != diagnostics.list().end());
+	const Diagnostic &wrong = *found;
+	CHECK(wrong.message == "buildings[1].id: expected a whole number from -9223372036854775808 to 9223372036854775807");
+	CHECK(wrong.line == 5);
+	CHECK(wrong.column == 27);
+	CHECK(wrong.source == "  {\"entrances\": [], \"id\": 2.5}");
+	CHECK_FALSE(wrong.hint.empty());
+	Diagnostics missing;
+	CHECK_FALSE(parse_city_json("{\"objects\": [ {\"type\": \"b]\\\"}\", \"id\": 3} ]}", "city.json", missing).has_value());
+	CHECK(missing.list()[0].message == "objects[0]: `position` is missing");
+	CHECK(missing.list()[0].column == 15);
+}
+
+TEST_CASE("what the JSON library says is not shown") {
+	for (const char *text : { "{\"a\": nul}", "{\"a\": 1", "[1 2]", "{\"a\": \"\x01\"}" }) {
+		Diagnostics diagnostics;
+		CHECK_FALSE(parse_city_json(text, "city.json", diagnostics).has_value());
+		REQUIRE(diagnostics.error_count() == 1);
+		const std::string message = diagnostics.list()[0].message;
+		CHECK(message.starts_with("this is not JSON: "));
+		CHECK(message.find("exception") == std::string::npos);
+		CHECK(message.find("syntax error") == std::string::npos);
+		CHECK_FALSE(diagnostics.list()[0].hint.empty());
+	}
 }
 
 TEST_CASE("text that is not JSON is refused with line and column") {

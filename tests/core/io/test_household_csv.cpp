@@ -100,3 +100,16 @@ TEST_CASE("the shipped tables are read and count every household once") {
 	}
 	CHECK(total == 1'873'792.0); // NH1, Madrid
 }
+
+TEST_CASE("households are counted whole, and no column is there twice") {
+	for (const char *count : { "1.5", "1e22", "nan", "0x10" }) {
+		const Diagnostic wrong = problem_of("descriptor,count\nOne man," + std::string(count) + "\n");
+		CHECK(wrong.id == "not-a-number");
+		CHECK(wrong.line == 2);
+		CHECK(wrong.column == 9);
+	}
+	const Diagnostic twice = problem_of("descriptor,count,adults,Count\nOne man,1,1,1\n");
+	CHECK(twice.id == "duplicate-column");
+	CHECK(twice.line == 1);
+	CHECK(twice.column == 25);
+}

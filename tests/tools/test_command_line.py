@@ -1,0 +1,107 @@
+"""pcg tells what is wrong with its command line, writes nothing over its inputs, and leaves nothing behind."""
+
+import json
+import resource
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+PCG = ROOT / "bin/pcg"
+
+HOUSE = """attr height = 3
+attr sign = "x"
+Lot --> report("z", geometry.area) report("a", height) print(sign) extrude(height)
+style Tall
+attr height = 30
+"""
+TWO_LOTS = "v 0 0 0\nv 10 0 0\nv 10 0 -10\nv 0 0 -10\nv 20 0 0\nv 30 0 0\nv 30 0 -10\nv 20 0 -10\no north\nf 1 2 3 4\ng south lot\nf 5 6 7 8\n"
+BOW_TIE = "v 0 0 0\nv 10 0 0\nv 0 0 -10\nv 10 0 -10\no tie\nf 1 2 3 4\n"
+
+
+@unittest.skipUnless(PCG.exists(), "bin/pcg is not built")
+class CommandLine(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        for name, text in (("house.cga", HOUSE), ("two.obj", TWO_LOTS), ("tie.obj", BOW_TIE), ("broken.cga", "Lot --> extrude(\nB -->")):
+            (self.folder / name).write_text(text)
+
+    def pcg(self, *arguments, **options):
+        return subprocess.run([PCG, *arguments], cwd=self.folder, capture_output=True, text=True, check=False, timeout=60, **options)
+
+    def refused(self, *arguments):
+        before = {path.name: path.read_bytes() for path in self.folder.iterdir()}
+        told = self.pcg(*arguments)
+        self.assertEqual(told.returncode, 2, told.stderr)
+        self.assertEqual(before, {path.name: path.read_bytes() for path in self.folder.iterdir()})
+        return told.stderr
+
+    def test_no_output_is_written_over_an_input_or_another_output(self):
+        self.assertIn("--json would overwrite the rule file", self.refused("derive", "house.cga", "--json", "house.cga"))
+        self.assertIn("--out would overwrite --shape", self.refused("derive", "house.cga", "--shape", "two.obj", "--out", "./two.obj"))
+        self.assertIn("--json would overwrite --out", self.refused("derive", "house.cga", "--out", "m.glb", "--json", "../" + self.folder.name + "/m.glb"))
+        (self.folder / "link.obj").symlink_to("two.obj")
+        self.assertIn("--out would overwrite --shape", self.refused("derive", "house.cga", "--shape", "two.obj", "--out", "link.obj"))
+        people = ("--city", "city.json", "--households", "h.csv", "--persons", "5")
+        self.assertIn("--out would overwrite --city", self.refused("agenda", "day.pcg", *people, "--out", "city.json"))
+        self.assertIn("--lived would overwrite --trace", self.refused("simulate", "day.pcg", *people, "--trace", "t.csv", "--lived", "t.csv"))
+
+    def test_empty_values_are_mistakes(self):
+        self.assertIn("--out must not be empty", self.refused("derive", "house.cga", "--out", ""))
+        self.assertIn("--json must not be empty", self.refused("derive", "house.cga", "--json="))
+
+    def test_numbers_that_are_none_are_told(self):
+        self.assertIn("nan", self.refused("derive", "house.cga", "--attr", "height=nan"))
+        self.assertIn("inf", self.refused("derive", "house.cga", "--attr", "height=inf"))
+        self.assertIn("--persons", self.refused("agenda", "d.pcg", "--city", "c", "--households", "h", "--persons", "99999999"))
+
+    def test_an_unknown_attribute_is_a_warning(self):
+        told = self.pcg("derive", "house.cga", "--attr", "nothing=1")
+        self.assertEqual(told.returncode, 0)
+        self.assertIn('there is no attribute "nothing"', told.stderr)
+
+    def test_groups_of_a_footprint_are_shapes_of_their_own(self):
+        told = self.pcg("derive", "house.cga", "--shape", "two.obj", "--style", "Tall", "--attr", "sign=5", "--threads", "2", "--out", "m.obj", "--json", "r.json")
+        self.assertEqual(told.returncode, 0, told.stderr)
+        report = json.loads((self.folder / "r.json").read_text())
+        self.assertEqual([shape["name"] for shape in report["initial_shapes"]], ["north", "south lot"])
+        self.assertEqual(report["faces"], 12)
+        self.assertEqual(report["bbox"], [[0, 0, -10], [30, 30, 0]])
+        self.assertEqual(list(report["reports"]), ["z", "a"])  # in the order of their first use
+        self.assertEqual(report["reports"]["a"], {"n": 2, "sum": 60, "min": 30, "max": 30, "avg": 30})
+        self.assertEqual(report["prints"], ["5", "5"])  # a text, though it looks like a number
+        names = [line for line in (self.folder / "m.obj").read_text().splitlines() if line.startswith("o ")]
+        self.assertEqual(names, ["o north", "o south lot"])
+
+    def test_one_thread_and_several_give_the_same_model(self):
+        for threads in ("1", "4"):
+            self.pcg("derive", "house.cga", "--shape", "two.obj", "--threads", threads, "--out", f"{threads}.glb")
+        self.assertEqual((self.folder / "1.glb").read_bytes(), (self.folder / "4.glb").read_bytes())
+
+    def test_a_bow_tie_is_told_with_file_shape_and_reason(self):
+        told = self.pcg("derive", "house.cga", "--shape", "tie.obj")
+        self.assertEqual(told.returncode, 1)
+        self.assertIn('tie.obj: error: shape "tie": ', told.stderr)
+        self.assertIn("crosses itself", told.stderr)
+
+    def test_a_file_that_grows_too_large_is_told_and_leaves_nothing(self):
+        before = sorted(path.name for path in self.folder.iterdir())
+        told = self.pcg("derive", "house.cga", "--out", "m.glb", preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (512, 512)))
+        self.assertEqual(told.returncode, 1)
+        self.assertIn("cannot write", told.stderr)
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), before)
+
+    def test_check_tells_every_mistake_and_exits_with_one(self):
+        (self.folder / "two.cga").write_text("A --> ]\nB --> t(1,2,)\nC --> extrude(1) )\n")
+        told = self.pcg("check", "two.cga", "house.cga", "--json")
+        self.assertEqual(told.returncode, 1)
+        lines = {diagnostic["line"] for diagnostic in json.loads(told.stdout)["diagnostics"]}
+        self.assertTrue({1, 2, 3} <= lines, lines)
+        self.assertEqual(self.pcg("check", "house.cga").returncode, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
