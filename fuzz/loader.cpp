@@ -1,0 +1,11 @@
+#include "core/cga/dialect.h"
+#include "fuzz/fuzz.h"
+
+using namespace pcg;
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+	Diagnostics diagnostics;
+	fuzz::load(fuzz::text_of(data, size), cga::cga_dialect(), diagnostics);
+	to_text(diagnostics);
+	return 0;
+}
