@@ -56,7 +56,7 @@ std::optional<std::vector<cga::InitialShape>> load_footprints(const std::string 
 		shape.name = group.name;
 		for (const size_t face : group.faces) {
 			if (face < polygons->faces.size()) {
-				shape.faces.push_back({ polygons->faces[face], {} });
+				shape.faces.push_back({ polygons->faces[face], {}, polygons->uvs[face] });
 			}
 		}
 	}

@@ -226,8 +226,16 @@ std::optional<ObjPolygons> parse_obj(std::string_view text, const std::string &f
 	ObjPolygons polygons;
 	for (const ObjModel::Face &face : model.faces) {
 		auto &polygon = polygons.faces.emplace_back();
+		auto &uvs = polygons.uvs.emplace_back();
 		for (uint32_t i = 0; i < face.corner_count; ++i) {
-			polygon.push_back(model.positions[model.corners[face.first_corner + i].position]);
+			const ObjModel::Corner &corner = model.corners[face.first_corner + i];
+			polygon.push_back(model.positions[corner.position]);
+			if (corner.uv != ObjModel::none) {
+				uvs.push_back(model.uvs[corner.uv]);
+			}
+		}
+		if (uvs.size() < polygon.size()) {
+			uvs.clear();
 		}
 	}
 	return polygons;

@@ -44,6 +44,7 @@ ObjModel parse_obj_model(std::string_view text, const std::string &file, Diagnos
 
 struct ObjPolygons {
 	std::vector<std::vector<glm::dvec3>> faces; // three corners or more
+	std::vector<std::vector<glm::dvec2>> uvs; // of each face, one for each corner; empty where a corner has none
 };
 
 // For footprints: nothing, and errors, if a vertex or a face is wrong or if there is no face at all.

@@ -229,6 +229,10 @@ void Compiler::target_argument(const Expr &expr) {
 			emit_constant(Value::of_index(ValueType::Variable, uint32_t(variable)), expr.offset);
 			return;
 		}
+		if (!is_constant && variable < 0 && _set.is_excused(_scope.space, expr.name)) {
+			emit_constant(Value(), expr.offset); // of an import that is missing: told there
+			return;
+		}
 		complain("unknown-name", expr.offset,
 				variable >= 0 || is_constant ? "`" + std::string(expr.name) + "` can only be read"
 							  : "there is no attribute `" + std::string(expr.name) + "` to set",

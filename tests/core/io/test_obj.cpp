@@ -16,6 +16,16 @@ TEST_CASE("faces of an OBJ file become polygons, whatever else stands in it") {
 	CHECK(obj->faces[1] == std::vector<glm::dvec3>{ { 0, 0, 0 }, { 10.5, 0, 0 }, { 10.5, 0, -20 } });
 }
 
+TEST_CASE("a face has texture coordinates if all of its corners do") {
+	Diagnostics diagnostics;
+	const auto obj = parse_obj("v 0 0 0\nv 60 0 0\nv 60 0 -12\nv 0 0 -12\nvt 0 0\nvt 10 0\nvt 10 4\nvt 0 4\nf 1/1 2/2 3/3 4/4\nf 1/1 2 3/3\n", "street.obj",
+			diagnostics);
+	REQUIRE(obj.has_value());
+	REQUIRE(obj->uvs.size() == 2);
+	CHECK(obj->uvs[0] == std::vector<glm::dvec2>{ { 0, 0 }, { 10, 0 }, { 10, 4 }, { 0, 4 } });
+	CHECK(obj->uvs[1].empty());
+}
+
 TEST_CASE("what is wrong in an OBJ file is told with its line") {
 	const auto refused = [](std::string_view text, uint32_t line, std::string_view message) {
 		Diagnostics diagnostics;

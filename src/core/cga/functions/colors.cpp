@@ -5,6 +5,7 @@
 #include <string>
 
 #include <glm/common.hpp>
+#include <glm/gtc/type_precision.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
@@ -48,7 +49,7 @@ glm::dvec3 from_hsv(double hue, double saturation, double value) {
 double unit(double x) { return x > 0.0 ? std::min(x, 1.0) : 0.0; }
 
 Value hex(Vm &vm, std::span<const double> channels) {
-	constexpr std::string_view digits = "0123456789abcdef";
+	constexpr std::string_view digits = "0123456789ABCDEF";
 	std::string text = "#";
 	for (const double channel : channels) {
 		const size_t byte = size_t(std::lround(unit(channel) * 255.0));
@@ -75,34 +76,52 @@ Value hsv_to_hex(Vm &vm, const Args &args) {
 	return hex(vm, std::span(channels).first(args.count()));
 }
 
+// CityEngine's ramps have 36 colours, on straight lines between a few of them.
+constexpr size_t ramp_size = 36;
+
+struct RampKey {
+	size_t place; // 0 to 35
+	glm::u8vec3 color;
+};
+
 struct Ramp {
 	std::string_view name;
-	std::array<glm::dvec3, 3> colors; // at 0, one half and 1
+	std::span<const RampKey> keys;
 };
 
-constexpr glm::dvec3 white(1.0, 1.0, 1.0), red(1.0, 0.0, 0.0), blue(0.0, 0.0, 1.0);
+constexpr RampKey white_to_black[] = { { 0, { 255, 255, 255 } }, { 35, { 0, 0, 0 } } };
+constexpr RampKey green_to_red[] = { { 0, { 59, 168, 0 } }, { 17, { 255, 255, 0 } }, { 35, { 255, 0, 0 } } };
+constexpr RampKey yellow_to_red[] = { { 0, { 245, 245, 0 } }, { 35, { 245, 0, 0 } } };
+constexpr RampKey red_to_blue[] = { { 0, { 196, 69, 57 } }, { 17, { 250, 252, 187 } }, { 35, { 54, 97, 207 } } };
+constexpr RampKey orange_to_blue[] = { { 0, { 255, 200, 0 } }, { 8, { 255, 115, 15 } }, { 17, { 255, 0, 81 } }, { 26, { 232, 0, 162 } }, { 35, { 0, 0, 255 } } };
+constexpr RampKey brown_to_blue[] = { { 0, { 156, 86, 33 } }, { 17, { 255, 255, 191 } }, { 35, { 33, 130, 145 } } };
+constexpr RampKey spectrum[] = { { 0, { 185, 82, 164 } }, { 5, { 60, 83, 163 } }, { 10, { 57, 191, 239 } }, { 13, { 107, 191, 69 } }, { 15, { 168, 208, 54 } },
+	{ 20, { 251, 238, 36 } }, { 25, { 241, 109, 32 } }, { 30, { 239, 54, 36 } }, { 35, { 237, 39, 38 } } };
 
-constexpr Ramp ramps[] = {
-	{ "whiteToBlack", { white, glm::dvec3(0.5), glm::dvec3(0.0) } },
-	{ "greenToRed", { glm::dvec3(0.0, 1.0, 0.0), glm::dvec3(1.0, 1.0, 0.0), red } },
-	{ "yellowToRed", { glm::dvec3(1.0, 1.0, 0.0), glm::dvec3(1.0, 0.5, 0.0), red } },
-	{ "redToBlue", { red, glm::dvec3(0.5, 0.0, 0.5), blue } },
-	{ "orangeToBlue", { glm::dvec3(1.0, 0.5, 0.0), white, blue } },
-	{ "brownToBlue", { glm::dvec3(0.6, 0.4, 0.2), white, blue } },
-};
+constexpr Ramp ramps[] = { { "whiteToBlack", white_to_black }, { "greenToRed", green_to_red }, { "yellowToRed", yellow_to_red },
+	{ "redToBlue", red_to_blue }, { "orangeToBlue", orange_to_blue }, { "brownToBlue", brown_to_blue }, { "spectrum", spectrum } };
+
+// Whole steps of a channel, rounded down.
+glm::dvec3 ramp_color(std::span<const RampKey> keys, size_t place) {
+	size_t next = 1;
+	while (next + 1 < keys.size() && keys[next].place < place) {
+		++next;
+	}
+	const RampKey &from = keys[next - 1], &to = keys[next];
+	const double share = double(place - from.place) / double(to.place - from.place);
+	return glm::floor(glm::mix(glm::dvec3(from.color), glm::dvec3(to.color), share) + 1e-9) / 255.0;
+}
 
 Value color_ramp(Vm &vm, const Args &args) {
 	const double at = unit(args.number(1));
 	const std::string_view name = text_at(args, 0);
 	glm::dvec3 color(0.0);
 	const auto ramp = std::ranges::find(ramps, name, &Ramp::name);
-	if (name == "spectrum") {
-		color = from_hsv(300.0 * at, 1.0, 1.0);
-	} else if (ramp == std::end(ramps)) {
+	if (ramp == std::end(ramps)) {
 		vm.warn("unknown-ramp", "there is no ramp of colours `" + std::string(name) + "`; black is taken",
 				"whiteToBlack greenToRed yellowToRed redToBlue orangeToBlue brownToBlue spectrum");
 	} else {
-		color = at < 0.5 ? glm::mix(ramp->colors[0], ramp->colors[1], 2.0 * at) : glm::mix(ramp->colors[1], ramp->colors[2], 2.0 * at - 1.0);
+		color = ramp_color(ramp->keys, std::min(size_t(at * ramp_size), ramp_size - 1));
 	}
 	return hex(vm, std::array{ color.r, color.g, color.b });
 }

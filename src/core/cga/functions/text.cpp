@@ -108,22 +108,24 @@ Value replace(Vm &vm, const Args &args) {
 	return make(vm, result.append(text.substr(start)));
 }
 
+// What is not found cuts nothing off, as in CityEngine's own library: the first item of "a" is "a".
 Value prefix(Vm &vm, const Args &args) {
-	const size_t at = text_at(args, 0).find(text_at(args, 1));
-	return make(vm, at == std::string_view::npos ? std::string_view() : text_at(args, 0).substr(0, at));
+	const std::string_view text = text_at(args, 0);
+	return make(vm, text.substr(0, std::min(text.find(text_at(args, 1)), text.size())));
 }
 
 Value suffix(Vm &vm, const Args &args) {
-	const size_t at = text_at(args, 0).rfind(text_at(args, 1));
-	return make(vm, at == std::string_view::npos ? std::string_view() : text_at(args, 0).substr(at + text_at(args, 1).size()));
+	const std::string_view text = text_at(args, 0);
+	const size_t at = text.rfind(text_at(args, 1));
+	return make(vm, at == std::string_view::npos ? text : text.substr(at + text_at(args, 1).size()));
 }
 
 // Behind the first `left` up to the last `right`.
 Value range(Vm &vm, const Args &args) {
 	const std::string_view text = text_at(args, 0), left = text_at(args, 1), right = text_at(args, 2);
-	const size_t begin = text.find(left), end = text.rfind(right);
-	const bool is_there = begin != std::string_view::npos && end != std::string_view::npos && end >= begin + left.size();
-	return make(vm, is_there ? text.substr(begin + left.size(), end - begin - left.size()) : std::string_view());
+	const size_t found = text.find(left);
+	const size_t begin = found == std::string_view::npos ? 0 : found + left.size(), end = std::min(text.rfind(right), text.size());
+	return make(vm, end > begin ? text.substr(begin, end - begin) : std::string_view());
 }
 
 struct Cut {
@@ -205,10 +207,10 @@ void add_text_functions(Dialect &dialect) {
 	functions.push_back({ "findLast", { text, part }, ValueType::Number, find_last, "Where a part begins for the last time; -1 if it does not." });
 	functions.push_back({ "count", { text, part }, ValueType::Number, count, "How often a part occurs, without overlaps." });
 	functions.push_back({ "replace", { text, part, { "by", Text } }, ValueType::Text, replace, "The text with all occurrences of a part replaced." });
-	functions.push_back({ "getPrefix", { text, part }, ValueType::Text, prefix, "What stands before the first occurrence of a part; empty if there is none." });
-	functions.push_back({ "getSuffix", { text, part }, ValueType::Text, suffix, "What stands behind the last occurrence of a part; empty if there is none." });
+	functions.push_back({ "getPrefix", { text, part }, ValueType::Text, prefix, "What stands before the first occurrence of a part; the whole text if there is none." });
+	functions.push_back({ "getSuffix", { text, part }, ValueType::Text, suffix, "What stands behind the last occurrence of a part; the whole text if there is none." });
 	functions.push_back({ "getRange", { text, { "left", Text }, { "right", Text } }, ValueType::Text, range,
-			"What stands between the first occurrence of one part and the last of another." });
+			"What stands between the first occurrence of one part and the last of another; what is not found cuts nothing off." });
 	functions.push_back({ "splitString", { text, { "delimiter", Text } }, ValueType::Array, split_string,
 			"The pieces between the delimiters, as an array. A delimiter that begins with $ is a pattern." });
 }
