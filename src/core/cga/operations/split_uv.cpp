@@ -50,21 +50,34 @@ Flow run_parts(Context &context, const UvCut &cut, const SplitSizes &sizes) {
 	return Flow::Next;
 }
 
+// A set that is missing is set 0, as it is for pictures: CityEngine's streets have coordinates from their ends in sets 1 and 2, those of files do not.
+size_t set_to_cut(Vm &vm, const Geometry &geometry, size_t set, UvRange &range) {
+	range = uv_range(geometry, set);
+	if (!range.is_empty) {
+		return set;
+	}
+	UvRange first = set > 0 ? uv_range(geometry, 0) : range;
+	vm.warn("no-uvs", "there are no texture coordinates in set " + std::to_string(set) + " to cut along; " +
+					(first.is_empty ? "this split makes nothing" : "those of set 0 are taken"),
+			"projectUV() makes some; streets and assets bring their own");
+	range = first;
+	return 0;
+}
+
 Flow split_uv(Vm &vm, const Args &args) {
 	Context &context = Context::of(vm);
 	context.mark_replaced();
-	const int set = uv_set_of(context, args[2]);
+	const int wanted = uv_set_of(context, args[2]);
 	const Geometry *geometry = context.shape.geometry;
-	if (set < 0 || geometry == nullptr || args.block == nullptr) {
+	if (wanted < 0 || geometry == nullptr || args.block == nullptr) {
 		return Flow::Next;
 	}
-	const UvRange range = uv_range(*geometry, size_t(set));
+	UvRange range;
+	const size_t set = set_to_cut(vm, *geometry, size_t(wanted), range);
 	if (range.is_empty) {
-		vm.warn("no-uvs", "there are no texture coordinates in set " + std::to_string(set) + " to cut along; this split makes nothing",
-				"projectUV() makes some; streets and assets bring their own");
 		return Flow::Next;
 	}
-	UvCut cut = { size_t(set), int(args[0].word), 0.0, 0.0, 1.0 };
+	UvCut cut = { set, int(args[0].word), 0.0, 0.0, 1.0 };
 	cut.low = range.low[cut.axis];
 	cut.high = range.high[cut.axis];
 	if (args[1].word == 1) {
