@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "core/io/csv.h"
+#include "core/population/building_use.h"
 #include "core/population/names.h"
 
 namespace pcg {
@@ -13,20 +14,77 @@ std::string number_text(const FileIds *ids, uint32_t index) {
 	return std::to_string(ids ? ids->number_of(index) : int64_t(index));
 }
 
-std::string type_text(const CityModel &city, Target place) {
-	TypeId type = TypeId::Invalid;
-	if (index_of(place.building()) < city.buildings().size()) {
-		const EntranceId entrance = city.entrance_of(place.building());
-		type = is_valid(entrance) ? city.entrance(entrance).type : type;
-	} else if (is_valid(place.zone())) {
-		type = city.zone(place.zone()).type;
-	} else if (is_valid(place.object())) {
-		type = city.object(place.object()).type;
+std::string type_text(const CityModel &city, const Population &population, const LivedEntry &entry) {
+	if (is_valid(entry.place.building())) {
+		return csv_quoted(building_use(city, population, entry.person, entry.place.building()));
 	}
-	return is_valid(type) ? csv_quoted(city.types.name(type)) : std::string();
+	TypeId type = TypeId::Invalid;
+	if (is_valid(entry.place.zone())) {
+		type = city.zone(entry.place.zone()).type;
+	} else if (is_valid(entry.place.object())) {
+		type = city.object(entry.place.object()).type;
+	}
+	return csv_quoted(city.types.name(type));
 }
 
-std::string moment_text(SimTime time) { return clock_text(time.time_of_day(), true); }
+// The door of the row's building at which the person is.
+std::string door_text(const CityModel &city, const LivedEntry &entry) {
+	if (index_of(entry.place.building()) >= city.buildings().size()) {
+		return {};
+	}
+	for (EntranceId id : city.building(entry.place.building()).entrances) {
+		if (city.entrance(id).position == entry.position) {
+			return std::to_string(index_of(id));
+		}
+	}
+	return {};
+}
+
+// As a clock of the day on which the row starts: it goes on counting past midnight.
+std::string clock_in_row(const LivedEntry &row, SimTime time) { return clock_text(time - SimTime::at(row.start.day(), {}), true); }
+
+SimTime to_second(SimTime time) {
+	const int64_t shifted = time.ms + 500;
+	const int64_t remainder = ((shifted % 1000) + 1000) % 1000;
+	return { shifted - remainder };
+}
+
+// By person, then by time, in whole seconds: what is over within one of them goes, and what was walked in it counts with the walk next to it.
+std::vector<LivedEntry> in_seconds(const LivedLog &log) {
+	std::vector<LivedEntry> rows;
+	float metres = 0.0f; // of what went, for the next row
+	for (LivedEntry entry : log.sorted()) {
+		const bool is_new_life = rows.empty() || rows.back().person != entry.person;
+		metres = is_new_life ? 0.0f : metres;
+		entry.start = to_second(entry.start);
+		entry.end = to_second(entry.end);
+		const bool walks_on = !is_new_life && rows.back().state == PersonState::Walking;
+		if (entry.start < entry.end) {
+			entry.metres += entry.state == PersonState::Walking ? metres : 0.0f;
+			metres = 0.0f;
+			rows.push_back(entry);
+		} else if (walks_on) {
+			rows.back().metres += entry.metres;
+		} else {
+			metres += entry.metres;
+		}
+	}
+	return rows;
+}
+
+std::string row_text(const CityModel &city, const Population &population, const FileNumbers &numbers, const LivedEntry &row) {
+	const bool is_hole = row.planned_task == PlannedEntry::hole;
+	char figures[128];
+	std::snprintf(figures, sizeof figures, ",%.2f,%.2f,%.1f,", double(row.position.x), double(row.position.z), double(row.metres));
+	std::string text = numbers.text(row.person) + ',' + csv_quoted(full_name(population, row.person)) + ',' +
+			std::to_string(int(population.person(row.person).age)) + ',' + std::to_string(row.start.day()) + ',' +
+			clock_in_row(row, row.start) + ',' + clock_in_row(row, row.end) + ',' + std::to_string((row.end - row.start).ms / 1000) + ',';
+	text += std::string(state_name(row.state)) + ',' + numbers.text(row.place) + ',' + type_text(city, population, row) + ',' +
+			door_text(city, row) + figures + numbers.text(row.leader) + ',';
+	text += is_hole ? "home,," : std::string(task_kind_name(row.planned_kind)) + ',' + clock_in_row(row, row.planned_start) + ',' +
+					clock_in_row(row, row.planned_end);
+	return text + '\n';
+}
 
 } // namespace
 
@@ -76,21 +134,9 @@ void TraceWriter::on_jump(SimTime from, SimTime to) {
 bool write_lived_csv(const std::string &path, const CityModel &city, const Population &population, const LivedLog &log,
 		const FileNumbers &numbers, Diagnostics &diagnostics) {
 	AtomicFile file(path);
-	file.write("person,name,age,day,start,end,seconds,state,place,type,x,z,metres,leader,planned,planned_start,planned_end\n");
-	for (const LivedEntry &entry : log.sorted()) {
-		const bool is_hole = entry.planned_task == PlannedEntry::hole;
-		char figures[128];
-		std::snprintf(figures, sizeof figures, "%.2f,%.2f,%.1f", double(entry.position.x), double(entry.position.z), double(entry.metres));
-		char span[64];
-		std::snprintf(span, sizeof span, "%.3f", (entry.end - entry.start).in_seconds());
-		std::string row = numbers.text(entry.person) + ',' + csv_quoted(full_name(population, entry.person)) + ',' +
-				std::to_string(int(population.person(entry.person).age)) + ',' + std::to_string(entry.start.day()) + ',' +
-				moment_text(entry.start) + ',' + moment_text(entry.end) + ',' + span + ',';
-		row += std::string(state_name(entry.state)) + ',' + numbers.text(entry.place) + ',' + type_text(city, entry.place) + ',' +
-				figures + ',' + numbers.text(entry.leader) + ',';
-		row += is_hole ? "home,," : std::string(task_kind_name(entry.planned_kind)) + ',' + moment_text(entry.planned_start) + ',' +
-						moment_text(entry.planned_end);
-		file.write(row + '\n');
+	file.write("person,name,age,day,start,end,seconds,state,place,type,entrance,x,z,metres,leader,planned,planned_start,planned_end\n");
+	for (const LivedEntry &row : in_seconds(log)) {
+		file.write(row_text(city, population, numbers, row));
 	}
 	return file.commit(diagnostics);
 }

@@ -38,8 +38,17 @@ private:
 	FileNumbers _numbers;
 };
 
-// A row for every lived stretch, by person, then by time: who, when, in which state where, how far it walked, with whom, and the entry of the
-// agenda that it served. False, with one error, if the file could not be written.
+// A row for every lived stretch, by person, then by time; the rows of a person follow each other without a gap. Columns:
+//   person, name, age
+//   day, start, end, seconds      whole seconds; all clock times count from 0h of `day` on, past 24:00:00 if need be
+//   state                         inside, walking, at-place (of a zone or object), waiting (outdoors)
+//   place, type                   where the person is, or walks to; of a building what it is to this person (see building_use.h)
+//   entrance                      index of the door by which it came in; where nobody saw it come in, the building's first
+//   x, z                          where it is at the end of the row; indoors, that door. It leaves by the door that is nearest to where it goes
+//   metres                        walked in the row
+//   leader                        of the group that it walks with, or waits for
+//   planned, planned_start, planned_end    the entry of the agenda that it serves; "home" is a hole in the agenda
+// False, with one error, if the file could not be written.
 bool write_lived_csv(const std::string &path, const CityModel &city, const Population &population, const LivedLog &log,
 		const FileNumbers &numbers, Diagnostics &diagnostics);
 

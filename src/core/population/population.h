@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "core/base/ids.h"
@@ -34,6 +35,7 @@ struct Household {
 struct Population {
 	std::vector<Person> persons;
 	std::vector<Household> households;
+	std::string home_type = "house"; // of the entrances of homes
 
 	// Households in order of id, their members one behind the other.
 	const Person &person(PersonId id) const { return persons[index_of(id)]; }

@@ -26,6 +26,7 @@ public:
 			_table(table), _options(options), _homes(city, options.home_type, options.default_capacity), _patterns(weights_of(table)) {}
 
 	Population run(Diagnostics &diagnostics) {
+		_population.home_type = _options.home_type;
 		if (_homes.is_empty()) {
 			diagnostics.error("no-homes", "the city has no building with an entrance of type '" + _options.home_type + "', so nobody can live in it",
 					"give houses an entrance(\"" + _options.home_type + "\")");

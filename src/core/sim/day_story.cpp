@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/population/building_use.h"
 #include "core/population/names.h"
 
 namespace pcg {
@@ -31,7 +32,8 @@ struct Line {
 class Storyteller {
 public:
 	Storyteller(const CityModel &city, const Population &population, HouseholdId household)
-		: _city(city), _population(population), _home(population.household(household).home) {}
+		: _city(city), _population(population), _first_member(population.household(household).first_member),
+		  _home(population.household(household).home) {}
 
 	std::vector<std::string> tell(const std::vector<LivedEntry> &entries, HouseholdId household, SimTime from, SimTime to);
 
@@ -45,31 +47,30 @@ private:
 
 	const CityModel &_city;
 	const Population &_population;
+	PersonId _first_member;
 	BuildingId _home;
 	std::vector<Line> _lines;
 	std::vector<PersonId> _introduced;
 };
 
 std::string Storyteller::place_name(Target place) const {
-	TypeId type = TypeId::Invalid;
+	std::string_view word;
 	if (place.kind == Target::Kind::Building) {
 		if (place.building() == _home) {
 			return "home";
 		}
-		const EntranceId entrance = _city.entrance_of(place.building());
-		type = is_valid(entrance) ? _city.entrance(entrance).type : type;
+		word = building_use(_city, _population, _first_member, place.building());
 	} else if (place.kind == Target::Kind::Zone) {
-		type = _city.zone(place.zone()).type;
+		word = _city.types.name(_city.zone(place.zone()).type);
 	} else if (place.kind == Target::Kind::Object) {
 		return "a " + std::string(_city.types.name(_city.object(place.object()).type));
 	} else if (place.kind == Target::Kind::Person) {
 		return std::string(first_names(_population.person(PersonId(place.index)).gender)[_population.person(PersonId(place.index)).name]);
 	}
-	if (!is_valid(type)) {
+	if (word.empty()) {
 		return place.kind == Target::Kind::Building ? "a building" : "the street";
 	}
-	const std::string word(_city.types.name(type));
-	return word == "house" ? "another house" : "the " + word;
+	return (word == _population.home_type ? "another " : "the ") + std::string(word);
 }
 
 // With the age at the first mention.

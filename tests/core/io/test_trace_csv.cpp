@@ -68,9 +68,66 @@ TEST_CASE("lived rows carry the numbers of the user's files") {
 	Diagnostics diagnostics;
 	CHECK(write_lived_csv(path, t.town.city, t.town.population, log, { .buildings = &buildings }, diagnostics));
 	const std::string text = text_of(path);
-	CHECK(text.find(",36,0,09:00:00,10:00:00,3600.000,inside,building:100,house,0.00,0.00,0.0,,home,,\n") != std::string::npos);
-	CHECK(text.find(",36,0,10:00:00,10:01:00,60.000,walking,building:200,shop,60.00,0.00,60.0,,goToBuilding,10:00:00,11:00:00\n") !=
+	CHECK(text.find(",36,0,09:00:00,10:00:00,3600,inside,building:100,house,0,0.00,0.00,0.0,,home,,\n") != std::string::npos);
+	CHECK(text.find(",36,0,10:00:00,10:01:00,60,walking,building:200,shop,1,60.00,0.00,60.0,,goToBuilding,10:00:00,11:00:00\n") !=
 			std::string::npos);
+}
+
+namespace {
+
+LivedEntry lived(PersonState state, int64_t start_ms, int64_t end_ms, float metres = 0.0f) {
+	LivedEntry entry;
+	entry.person = PersonId(0);
+	entry.state = state;
+	entry.start = { start_ms };
+	entry.end = { end_ms };
+	entry.metres = metres;
+	return entry;
+}
+
+// The columns day, start, end, seconds, state and metres of each row.
+std::vector<std::string> spans_of(const std::string &text) {
+	std::vector<std::string> result;
+	for (size_t begin = text.find('\n') + 1; begin < text.size(); begin = text.find('\n', begin) + 1) {
+		std::vector<std::string> cells(1);
+		for (char c : text.substr(begin, text.find('\n', begin) - begin)) {
+			if (c == ',') {
+				cells.emplace_back();
+			} else {
+				cells.back() += c;
+			}
+		}
+		result.push_back(cells[3] + " " + cells[4] + " " + cells[5] + " " + cells[6] + " " + cells[7] + " " + cells[13]);
+	}
+	return result;
+}
+
+} // namespace
+
+TEST_CASE("rows of lives are whole seconds without a gap; the last of a day ends at 24:00:00") {
+	const std::string path = "build/tests/rows.csv";
+	ShopTown t;
+	t.town.simulate();
+	LivedLog log;
+	const int64_t night = 23 * 3'600'000;
+	for (const LivedEntry &entry : { lived(PersonState::Inside, 0, 1'030), lived(PersonState::Waiting, 1'030, 1'070),
+				 lived(PersonState::Walking, 1'070, 1'499, 0.5f), lived(PersonState::Walking, 1'499, 3'500, 2.0f),
+				 lived(PersonState::Walking, 3'500, 3'900, 0.25f), lived(PersonState::Inside, 3'900, night),
+				 lived(PersonState::Inside, night, one_day.ms), lived(PersonState::Inside, one_day.ms, one_day.ms + 5000),
+				 lived(PersonState::Waiting, one_day.ms + 5000, 2 * one_day.ms + 60'000) }) {
+		LivedSpan span;
+		span.person = entry.person;
+		span.state = entry.state;
+		span.start = entry.start;
+		span.end = entry.end;
+		span.last_metre = double(entry.metres);
+		log.on_lived(span);
+	}
+	Diagnostics diagnostics;
+	CHECK(write_lived_csv(path, t.town.city, t.town.population, log, {}, diagnostics));
+	CHECK(spans_of(text_of(path)) == Lines{ "0 00:00:00 00:00:01 1 inside 0.0", "0 00:00:01 00:00:04 3 walking 2.8",
+											 "0 00:00:04 23:00:00 82796 inside 0.0", "0 23:00:00 24:00:00 3600 inside 0.0",
+											 "1 00:00:00 00:00:05 5 inside 0.0", "1 00:00:05 24:01:00 86455 waiting 0.0" });
 }
 
 TEST_CASE("pictures are PNG files; what cannot be written is one error") {
