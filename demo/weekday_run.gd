@@ -147,8 +147,8 @@ func _live() -> bool:
 
 func _tell() -> bool:
 	var day: Dictionary = _citizens.get_statistics()
-	print("     %d trips, %d late arrivals; at most %d outside at once, at %s" % [day["trips"], day["late_arrivals"], day["peak_outside"],
-			day["peak_clock"]])
+	print("     %d trips; at most %d outside at once, at %s" % [day["trips"], day["peak_outside"], day["peak_clock"]])
+	print("     %d of them arrived late: more than a second after a stayInside of the rules was to begin there" % day["late_arrivals"])
 	var household: int = _citizens.choose_household()
 	if household >= 0:
 		print("one household's day:")

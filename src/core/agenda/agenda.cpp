@@ -72,7 +72,7 @@ void normalize(Task &task) {
 
 bool is_same_but_for_days(const Task &a, const Task &b) {
 	return a.start_ms == b.start_ms && a.end_ms == b.end_ms && a.kind == b.kind && a.target == b.target &&
-			a.origin == b.origin;
+			a.origin == b.origin && a.is_start_cut == b.is_start_cut;
 }
 
 // Pieces that differ by their days only become one entry again.
@@ -131,6 +131,7 @@ void keep_remains(std::vector<Task> &kept, const Task &old, const Task &newest) 
 			piece.start_ms = span.start;
 			piece.end_ms = span.end;
 			piece.days = days;
+			piece.is_start_cut = old.is_start_cut || span.start != old.start_ms;
 			normalize(piece);
 			add_piece(kept, piece);
 		}

@@ -25,7 +25,8 @@ struct Task {
 	uint16_t generation = 0; // counts insertions of this agenda: the larger is the newer
 	TaskKind kind = TaskKind::StayInside;
 	DayMask days = all_days;
-	uint32_t reserved = 0;
+	bool is_start_cut = false; // a newer entry took its beginning away: `start` is not a time that a rule wrote
+	uint8_t reserved[3] = {};
 
 	Duration start() const { return { start_ms }; }
 	Duration end() const { return { end_ms }; }

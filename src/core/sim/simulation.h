@@ -41,7 +41,9 @@ struct SimulationSettings {
 
 struct SimulationStatistics {
 	uint64_t trips = 0; // walks that reached their goal, counted per walker
-	uint64_t late_arrivals = 0; // by more than a second
+	// Persons who went in more than a second after a stayInside there was to begin. What a newer entry left of an older one begins when that one
+	// is over, not at a time that a rule wrote: nobody is late for it.
+	uint64_t late_arrivals = 0;
 	uint32_t outside = 0; // now
 	uint32_t peak_outside = 0;
 	SimTime peak_time; // the first moment of the peak

@@ -69,9 +69,11 @@ void Simulation::begin_stay(PersonId id, BuildingId building) {
 	release_place(id);
 }
 
+// See SimulationStatistics::late_arrivals.
 void Simulation::note_lateness(PersonId id) {
 	PersonRecord &person = record(id);
-	const bool counts = !person.is_in_hole() && person.entry_kind == TaskKind::StayInside && !person.is_late_noted;
+	const bool counts = !person.is_in_hole() && person.entry_kind == TaskKind::StayInside && !person.is_late_noted &&
+			!_agendas.tasks_of(id)[person.entry_task].is_start_cut;
 	const bool is_there = counts && person.state == PersonState::Inside && person.place == entry_of(id).target;
 	if (is_there && _now > person.entry_start + lateness_allowed) {
 		person.is_late_noted = true;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 
 #include <glm/geometric.hpp>
 
@@ -44,8 +45,7 @@ void Simulation::find_doors(BuildingId building, std::vector<glm::vec3> &doors) 
 	}
 }
 
-// From where the person is, or any door of the building that it is in, to the nearest of `goals` as the crow flies that can be reached; empty if none
-// can.
+// The shortest way from where the person is, or from any door of the building that it is in, to any of `goals`; empty if none can be reached.
 std::vector<glm::vec3> Simulation::find_way(PersonId id, std::span<const glm::vec3> goals) {
 	const PersonRecord &person = record(id);
 	if (person.state == PersonState::Inside) {
@@ -60,7 +60,7 @@ std::vector<glm::vec3> Simulation::find_way(PersonId id, std::span<const glm::ve
 		return way_between(_paths, _from_points[0], goals[0]);
 	}
 	struct Pair {
-		float distance = 0.0f;
+		float distance = 0.0f; // as the crow flies
 		uint32_t from = 0, to = 0;
 	};
 	std::vector<Pair> pairs;
@@ -70,13 +70,20 @@ std::vector<glm::vec3> Simulation::find_way(PersonId id, std::span<const glm::ve
 		}
 	}
 	std::stable_sort(pairs.begin(), pairs.end(), [](const Pair &a, const Pair &b) { return a.distance < b.distance; });
+	std::vector<glm::vec3> best;
+	double best_length = std::numeric_limits<double>::max();
 	for (const Pair &pair : pairs) {
+		if (double(pair.distance) >= best_length) {
+			break;
+		}
 		std::vector<glm::vec3> path = way_between(_paths, _from_points[pair.from], goals[pair.to]);
-		if (!path.empty()) {
-			return path;
+		const double length = path.empty() ? best_length : path_length(path);
+		if (length < best_length) {
+			best_length = length;
+			best = std::move(path);
 		}
 	}
-	return {};
+	return best;
 }
 
 bool Simulation::go_to_building(PersonId id, BuildingId building, Purpose purpose) {

@@ -89,6 +89,20 @@ TEST_CASE("a newer entry in the middle splits the older one in two") {
 	CHECK(agenda.tasks()[1].target == 2);
 	CHECK(agenda.tasks()[2].start_ms == 16 * hour_ms);
 	CHECK(agenda.tasks()[2].end_ms == 24 * hour_ms);
+	CHECK(!agenda.tasks()[0].is_start_cut);
+	CHECK(!agenda.tasks()[1].is_start_cut);
+	CHECK(agenda.tasks()[2].is_start_cut);
+}
+
+TEST_CASE("a cut start stays cut, on whichever day the rest begins") {
+	Agenda agenda;
+	agenda.insert(task_of(20 * hour_ms, 44 * hour_ms, 1, 0b0000001)); // Monday 20h to Tuesday 20h
+	agenda.insert(task_of(22 * hour_ms, 26 * hour_ms, 2, 0b0000001)); // Monday 22h to Tuesday 2h
+	agenda.insert(task_of(10 * hour_ms, 11 * hour_ms, 3, 0b0000010)); // Tuesday
+	CHECK(!agenda.at(0, Duration::hours(21))->is_start_cut);
+	CHECK(agenda.at(1, Duration::hours(9))->target == 1);
+	CHECK(agenda.at(1, Duration::hours(9))->is_start_cut);
+	CHECK(agenda.at(1, Duration::hours(12))->is_start_cut);
 }
 
 TEST_CASE("a newer entry trims the start or the end of an older one and keeps its building") {

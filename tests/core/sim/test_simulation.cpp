@@ -68,6 +68,26 @@ TEST_CASE("stayInside elsewhere walks there first and is late; the rest of the d
 	CHECK(simulation.statistics().late_arrivals == 2);
 }
 
+TEST_CASE("nobody is late for what a newer entry left of an older one") {
+	Town town;
+	const BuildingId home = town.building("house", 0.0f);
+	const BuildingId work = town.building("workplace", 300.0f);
+	town.household(home);
+	const PersonId ana = town.person();
+	town.stay(ana, at(0), at(8), home);
+	town.go(ana, at(8), at(9), work);
+	town.stay(ana, at(9), at(24), home); // of stayInside(0h, 24h, home), which the walk to work split
+	town.tasks[0].back().is_start_cut = true;
+	Simulation &simulation = town.simulate();
+	Recorder recorder;
+	simulation.add_observer(recorder);
+	simulation.start(moment(0, 0));
+	simulation.advance_to(moment(1, 0));
+	CHECK(recorder.has("09:05:00 0 entered-building building 0"));
+	CHECK(simulation.statistics().late_arrivals == 0);
+	CHECK(simulation.statistics().count(SimEventKind::ArrivedLate) == 0);
+}
+
 TEST_CASE("holes are spent at home") {
 	Town town;
 	const BuildingId home = town.building("house", 0.0f);
@@ -154,6 +174,47 @@ TEST_CASE("the nearest door is used, in and out") {
 	simulation.advance_to(moment(0, 12));
 	CHECK(recorder.has("10:01:00 0 entered-building building 1")); // 60 m, not 80
 	CHECK(simulation.position(ana).x == 20.0f);
+}
+
+namespace {
+
+// The way to whatever lies at `behind` goes around a wall, 100 m to the side and back.
+class WalledPaths : public StraightLinePaths {
+public:
+	WalledPaths(const CityModel &city, glm::vec3 behind) : StraightLinePaths(city), _behind(behind) {}
+	std::vector<glm::vec3> path(glm::vec3 from, glm::vec3 to) const override {
+		if (from == _behind || to == _behind) {
+			return { from, from + glm::vec3(0.0f, 0.0f, 100.0f), to + glm::vec3(0.0f, 0.0f, 100.0f), to };
+		}
+		return { from, to };
+	}
+
+private:
+	glm::vec3 _behind;
+};
+
+} // namespace
+
+TEST_CASE("of several doors the one with the shortest walk is used, not the nearest as the crow flies") {
+	Town town;
+	const BuildingId home = town.building("house", 0.0f);
+	Entrance back;
+	back.building = home;
+	back.position = { 20.0f, 0.0f, 0.0f };
+	town.city.add_entrance(back);
+	const BuildingId shop = town.building("shop", 80.0f);
+	town.household(home);
+	const PersonId ana = town.person();
+	town.go(ana, at(10), at(11), shop);
+	town.simulate();
+	const WalledPaths paths(town.city, back.position);
+	Simulation simulation(town.city, paths, town.population, town.agendas, nullptr, {}, town.host);
+	Recorder recorder;
+	simulation.add_observer(recorder);
+	simulation.start(moment(0, 9));
+	simulation.advance_to(moment(0, 12));
+	CHECK(recorder.has("10:01:20 0 entered-building building 1")); // 80 m, not 260
+	CHECK(simulation.position(ana).x == 0.0f);
 }
 
 TEST_CASE("steps of any size give the same events") {
