@@ -16,6 +16,7 @@ constexpr Color walkable{ 246, 246, 244 };
 // "inferno" of matplotlib (Smith and van der Walt, CC0), from its light end to its dark one.
 constexpr std::array<Color, 8> ramp{ Color{ 252, 255, 164 }, Color{ 250, 193, 39 }, Color{ 245, 125, 21 },
 	Color{ 212, 72, 66 }, Color{ 159, 42, 99 }, Color{ 101, 21, 110 }, Color{ 40, 11, 84 }, Color{ 0, 0, 4 } };
+constexpr double single_cell = 4.0; // what a cell has of its own after smoothing, as a divisor
 constexpr float fully_covered = 0.08f; // heat from which on the ground does not show through
 
 Color mix(Color a, Color b, float share) {
@@ -77,7 +78,8 @@ std::vector<double> smoothed(const std::vector<double> &cells, uint32_t columns,
 	return result;
 }
 
-double darkest_of(std::vector<double> cells) {
+// What the hottest 3 % of the cells that were entered have at least.
+double hot(std::vector<double> cells) {
 	std::erase_if(cells, [](double seconds) { return seconds <= 0.0; });
 	if (cells.empty()) {
 		return 1.0;
@@ -120,8 +122,13 @@ RgbImage draw_heat_map(const HeatMap &map, const GroundPlan &plan, const HeatMap
 	const HeatGrid &grid = map.grid();
 	const uint32_t scale = std::clamp(style.pixels_per_cell, 1u, 16u);
 	RgbImage image = draw_plan(grid, plan, scale);
-	const std::vector<double> cells = smoothed(map.person_seconds(), grid.columns, grid.rows);
-	const double darkest = style.darkest > 0.0 ? style.darkest : darkest_of(cells);
+	std::vector<double> cells = map.person_seconds();
+	const double limit = style.darkest > 0.0 ? single_cell * style.darkest : hot(cells);
+	for (double &seconds : cells) {
+		seconds = std::min(seconds, limit);
+	}
+	cells = smoothed(cells, grid.columns, grid.rows);
+	const double darkest = style.darkest > 0.0 ? style.darkest : hot(cells);
 	for (size_t pixel = 0; pixel < image.pixels.size() / 3; ++pixel) {
 		const double x = (double(pixel % image.width) + 0.5) / scale;
 		const double y = (double(pixel / image.width) + 0.5) / scale;

@@ -26,8 +26,8 @@ struct GroundPlan {
 
 struct HeatMapStyle {
 	uint32_t pixels_per_cell = 2;
-	// Person-seconds per cell that get the darkest color; 0: the 97th percentile of the cells that were
-	// entered, so that a few benches where people sit for hours do not pale all the ways.
+	// Person-seconds per cell that get the darkest color; 0: the 97th percentile of the cells that were entered. No cell counts for more than
+	// that: a bench where somebody sits for hours is a spot on the map and neither pales nor covers the ways.
 	double darkest = 0.0;
 };
 

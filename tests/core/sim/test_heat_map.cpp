@@ -77,3 +77,22 @@ TEST_CASE("the heat changes evenly between the middles of cells, so that no squa
 		CHECK(sum(x) < sum(x + 1));
 	}
 }
+
+TEST_CASE("a bench where somebody sits all day is a spot that leaves the ways in sight") {
+	HeatMap map({ { 0.0f, 0.0f }, 1.0f, 40, 20 });
+	LivedSpan span;
+	span.state = PersonState::Waiting;
+	span.end = SimTime{ 10'000 };
+	for (int column = 0; column < 40; ++column) { // a way of 10 s a cell
+		span.position = { float(column) + 0.5f, 0.0f, 5.5f };
+		map.on_lived(span);
+	}
+	span.end = SimTime{ 14'400'000 };
+	span.position = { 20.5f, 0.0f, 12.5f };
+	map.on_lived(span);
+	const RgbImage image = draw_heat_map(map, {}, { .pixels_per_cell = 1 });
+	const auto red = [&](int x, int y) { return int(image.pixels[size_t(y * 40 + x) * 3]); };
+	CHECK(red(10, 5) < 20); // the way is dark
+	CHECK(red(20, 12) > red(10, 5)); // a cell alone is not darker than a way
+	CHECK(red(20, 12) < 255); // but seen
+}
