@@ -266,18 +266,28 @@ void Clipper::add_holes(const Geometry &geometry, const std::vector<glm::dvec3> 
 }
 
 // The cuts of all faces run around what the plane cuts out of the volume; reversed they are the outline of the cap, which looks away from the
-// side that stays. False if they do not close.
+// side that stays. A cap begins with the edge that it shares with the first of the faces around it: so a roof that stands on a cut roof knows which
+// of its edges is which. False if the cuts do not close.
 bool Clipper::add_caps(const Plane &plane) {
-	for (Segment &cut : _cuts) {
-		std::swap(cut.from, cut.to);
+	for (uint32_t i = 0; i < _cuts.size(); ++i) {
+		std::swap(_cuts[i].from, _cuts[i].to);
+		_cuts[i].number = i;
 	}
 	std::erase_if(_cuts, [](const Segment &cut) { return cut.from == cut.to; });
 	std::ranges::stable_sort(_cuts, is_before, &Segment::from);
+	_order.resize(_cuts.size());
+	for (uint32_t i = 0; i < _order.size(); ++i) {
+		_order[i] = i;
+	}
+	std::ranges::sort(_order, {}, [&](uint32_t i) { return _cuts[i].number; });
 	std::vector<std::vector<glm::dvec3>> outlines, holes;
 	std::vector<glm::dvec3> loop;
 	double sum = 0.0;
-	while (!_cuts.empty()) {
-		if (!next_cap_loop(loop)) {
+	for (const uint32_t first : _order) {
+		if (_cuts[first].is_used) {
+			continue;
+		}
+		if (!cap_loop(first, loop)) {
 			return false;
 		}
 		const double size = glm::dot(area_vector(loop), -plane.normal);
@@ -287,33 +297,38 @@ bool Clipper::add_caps(const Plane &plane) {
 	if (sum < 0.0) { // a body that was turned inside out: so is its cap
 		std::swap(outlines, holes);
 	}
+	emit_caps(outlines, holes, -plane.normal);
+	return true;
+}
+
+void Clipper::emit_caps(const std::vector<std::vector<glm::dvec3>> &outlines, const std::vector<std::vector<glm::dvec3>> &holes, glm::dvec3 normal) {
 	for (const auto &outline : outlines) {
 		_builder.add_loop(outline);
-		const std::vector<glm::dvec2> flat = flattened(outline, -plane.normal);
+		const std::vector<glm::dvec2> flat = flattened(outline, normal);
 		for (const auto &hole : holes) {
-			if (contains(flat, flatten(hole[0], -plane.normal))) {
+			if (contains(flat, flatten(hole[0], normal))) {
 				_builder.add_loop(hole);
 			}
 		}
 		_builder.end_face();
 	}
-	return true;
 }
 
-bool Clipper::next_cap_loop(std::vector<glm::dvec3> &loop) {
-	loop.clear();
-	const glm::dvec3 start = _cuts.back().from;
-	glm::dvec3 at = _cuts.back().to;
-	loop.push_back(start);
-	_cuts.pop_back();
-	while (at != start) {
-		const auto found = std::ranges::lower_bound(_cuts, at, is_before, &Segment::from);
-		if (found == _cuts.end() || found->from != at) {
+bool Clipper::cap_loop(uint32_t first, std::vector<glm::dvec3> &loop) {
+	loop = { _cuts[first].from };
+	glm::dvec3 at = _cuts[first].to;
+	_cuts[first].is_used = true;
+	while (at != loop[0]) {
+		auto next = std::ranges::lower_bound(_cuts, at, is_before, &Segment::from);
+		while (next != _cuts.end() && next->from == at && next->is_used) {
+			++next;
+		}
+		if (next == _cuts.end() || next->from != at) {
 			return false;
 		}
 		loop.push_back(at);
-		at = found->to;
-		_cuts.erase(found);
+		at = next->to;
+		next->is_used = true;
 	}
 	return true;
 }

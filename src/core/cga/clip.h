@@ -42,6 +42,8 @@ private:
 	};
 	struct Segment {
 		glm::dvec3 from, to;
+		uint32_t number = 0; // in order of the faces that were cut
+		bool is_used = false;
 	};
 
 	void measure(const Geometry &geometry, const Plane &plane);
@@ -57,7 +59,8 @@ private:
 	void emit_outline(uint32_t chain);
 	void add_holes(const Geometry &geometry, const std::vector<glm::dvec3> &outline, glm::dvec3 normal);
 	bool add_caps(const Plane &plane);
-	bool next_cap_loop(std::vector<glm::dvec3> &loop);
+	void emit_caps(const std::vector<std::vector<glm::dvec3>> &outlines, const std::vector<std::vector<glm::dvec3>> &holes, glm::dvec3 normal);
+	bool cap_loop(uint32_t first, std::vector<glm::dvec3> &loop);
 
 	GeometryBuilder _builder;
 	std::vector<double> _distances; // of each point of the geometry to the plane
@@ -70,7 +73,7 @@ private:
 	std::vector<CornerOrigin> _chain_origins; // of the chain points; empty if corners carry nothing
 	std::vector<Crossing> _crossings;
 	std::vector<uint32_t> _whole_holes; // loops of the face that the cut does not meet
-	std::vector<uint32_t> _order; // chains of one outline, in order
+	std::vector<uint32_t> _order; // chains of one outline, or cuts around caps, in order
 	std::vector<Segment> _cuts;
 	std::vector<glm::dvec3> _outline;
 	std::vector<CornerOrigin> _outline_origins;
