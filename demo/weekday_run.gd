@@ -81,11 +81,8 @@ func _grow() -> bool:
 	_city = DemoCity.make_city(_options["lots"], _options["seed"])
 	_city.generation_progressed.connect(_tell_progress)
 	add_child(_city)
-	if not _city.generate():
-		return false
-	while _city.is_generating():
-		await get_tree().process_frame
-	if not _city.is_generated():
+	_city.generate()
+	if not await _city.city_generated:
 		return false
 	var made: Dictionary = _city.get_statistics()
 	var seconds: Dictionary = made["seconds"]

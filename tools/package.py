@@ -1,7 +1,11 @@
 #!/usr/bin/env python3
-"""Zips addons/pcg, as the Asset Library wants it: the same input gives the same bytes, whatever the clock says."""
+"""Zips addons/pcg, as the Asset Library wants it, with the rules that ship and what its user reads: the same input gives the same bytes,
+whatever the clock says."""
 
+import re
+import subprocess
 import sys
+import tempfile
 import zipfile
 from pathlib import Path
 
@@ -10,24 +14,43 @@ from deps import ROOT, read_deps
 ADDON = ROOT / "addons/pcg"
 EPOCH = (1980, 1, 1, 0, 0, 0)  # the earliest time that a zip can hold
 
+# Copied into the addon with the places that they have here, so that links between them hold. `.uid` files stay behind: who copies a rule
+# file into a game would have two files of one identity.
+TRAVELLING = ("README.md", "LICENSE.md", "CHANGELOG.md", "docs/.gdignore", "docs/language-*.md", "docs/troubleshooting.md", "rules/**/*.cga",
+              "rules/**/*.pcg", "rules/**/*.csv", "rules/**/*.csv.import")
+# What README.md says of this repository alone stands between these comments.
+OF_REPOSITORY = re.compile(rb"\n<!-- repository -->\n.*?<!-- /repository -->(?=\n)", re.DOTALL)
+
 
 def entries():
-    """Yields (name in the archive, file) in order; README and LICENSE travel inside the addon."""
-    files = {f"addons/pcg/{path.relative_to(ADDON).as_posix()}": path for path in ADDON.rglob("*") if path.is_file()}
-    for name in ("README.md", "LICENSE.md"):
-        files.setdefault(f"addons/pcg/{name}", ROOT / name)
-    yield from sorted(files.items())
+    """Yields (name in the archive, content) in order."""
+    files = {path.relative_to(ADDON): path for path in ADDON.rglob("*") if path.is_file()}
+    for pattern in TRAVELLING:
+        files |= {path.relative_to(ROOT): path for path in ROOT.glob(pattern)}
+    for name, path in sorted(files.items()):
+        yield f"addons/pcg/{name.as_posix()}", content_of(path)
+
+
+def content_of(path):
+    content = path.read_bytes()
+    if path.suffix == ".md":
+        return OF_REPOSITORY.sub(b"", content)
+    if content.startswith(b"\x7fELF"):  # what a debugger wants is two thirds of it
+        with tempfile.NamedTemporaryFile() as stripped:
+            subprocess.run(["strip", "--strip-debug", "-o", stripped.name, path], check=True)
+            return Path(stripped.name).read_bytes()
+    return content
 
 
 def write_package(target):
     target.parent.mkdir(exist_ok=True)
     partial = target.with_suffix(".tmp")
     with zipfile.ZipFile(partial, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
-        for name, path in entries():
+        for name, content in entries():
             entry = zipfile.ZipInfo(name, EPOCH)
             entry.external_attr = (0o755 if name.endswith(".so") else 0o644) << 16
             entry.compress_type = zipfile.ZIP_DEFLATED
-            archive.writestr(entry, path.read_bytes())
+            archive.writestr(entry, content)
     partial.replace(target)
 
 

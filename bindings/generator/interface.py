@@ -6,7 +6,7 @@ import re
 def functions(header_text):
     """Name and function-pointer type of every current function of the interface header."""
     found = []
-    for comment in re.finditer(r"/\*\*(.*?)\*/\s*typedef [^;]*?\(\*(GDExtensionInterface\w+)\)", header_text, re.S):
+    for comment in re.finditer(r"/\*\*(.*?)\*/\s*typedef [^;]*?\(\*(GDExtensions?Interface\w+)\)", header_text, re.S):
         name = re.search(r"@name (\w+)", comment[1])
         if name and "@deprecated" not in comment[1]:
             found.append((name[1], comment[2]))

@@ -1,6 +1,7 @@
 #include <godot_cpp/godot.hpp>
 
 #include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/core/doc_data.hpp>
 #include <godot_cpp/core/wrapper_registry.hpp>
 #include <godot_cpp/variant/variant.hpp>
 
@@ -61,6 +62,9 @@ void GDExtensionBinding::initialize_level(void *, GDExtensionInitializationLevel
 	ClassDB::set_level(p_level);
 	if (initializer) {
 		initializer(static_cast<ModuleInitializationLevel>(p_level));
+	}
+	if (p_level == GDEXTENSION_INITIALIZATION_EDITOR) {
+		load_doc_data();
 	}
 }
 

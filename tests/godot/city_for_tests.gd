@@ -16,6 +16,14 @@ Lot --> split(z) { 5: Yard | ~1: extrude(7) comp(f) { front: Front | all: Wall. 
 Yard --> X.
 Front --> entrance("school", 100) Wall.
 """
+## Its door leads to a yard between walls, further from the street than anybody looks for a way (6 m ahead, 3 m around).
+const WALLED_HOUSE := """@StartRule
+Lot --> split(x) { 4: Mass | ~1: split(z) { 4: Mass | ~1: Inside | 4: Mass } | 4: Mass }
+Inside --> split(z) { 5: extrude(6) comp(f) { front: Front | all: Wall. } | ~1: Yard }
+Mass --> extrude(6) Wall.
+Yard --> X.
+Front --> entrance("house", 4) Wall.
+"""
 const PARK := """@StartRule
 Lot --> zone("park") Lawn.
 """

@@ -153,13 +153,73 @@ func test_a_city_without_homes_is_refused() -> void:
 	check(not _citizens.generate_population(), "nobody can live there")
 
 
-func test_the_city_may_be_generated_again_while_people_live_in_the_old_one() -> void:
+func test_life_ends_with_the_city_and_begins_again_in_a_new_one() -> void:
 	_begin()
 	_citizens.advance(9 * HOUR)
+	var stops: Array[int] = [0]
+	_citizens.simulation_stopped.connect(func() -> void: stops[0] += 1)
+	expect_message("its city was cleared, freed or generated anew")
 	_city.seed = 5
 	_city.generate_now()
-	_citizens.advance(HOUR)
-	check(_citizens.is_running(), "the old life goes on")
+	check(not _citizens.is_running(), "the old life is over")
+	check_equal(stops[0], 1, "which is told once")
+	check_equal(_citizens.get_agent_view().get_agent_count(), 0, "no bodies are left")
+	expect_message("nobody in this city yet. Call generate_population()")
+	check(not _citizens.start(), "nobody lives in the new city yet")
 	_begin()
 	_citizens.advance(HOUR)
-	check(_citizens.is_running(), "and a new one begins")
+	check(_citizens.is_running(), "and a new life begins")
+	_citizens.stop()
+	_city.clear()
+	check_equal(stops[0], 2, "whoever stopped before has nothing to be told")
+
+
+func test_life_ends_when_a_listener_clears_the_city() -> void:
+	expect_message("its city was cleared, freed or generated anew")
+	_citizens.person_left_building.connect(func(_person: int, _building: int) -> void: _city.clear())
+	_begin()
+	_citizens.advance(12 * HOUR)
+	check(not _citizens.is_running(), "in the middle of a step")
+
+
+func test_life_ends_when_the_city_is_freed() -> void:
+	expect_message("its city was cleared, freed or generated anew")
+	_begin()
+	_city.free()
+	await get_tree().process_frame
+	await get_tree().process_frame
+	check(not _citizens.is_running(), "it has ended")
+
+
+func test_with_auto_start_life_goes_on_in_the_new_city_without_a_word() -> void:
+	_citizens.queue_free()
+	_citizens = CityForTests.make_citizens(_city)
+	_citizens.auto_start = true
+	add_child(_citizens)
+	check(_citizens.is_running(), "it runs as soon as it is there")
+	_city.generate()
+	check_equal(await _city.city_generated, true, "a new city")
+	check(_citizens.is_running(), "it runs again")
+
+
+func test_an_unknown_start_rule_is_one_error() -> void:
+	expect_message("the rules have no rule 'Houshold' without parameters to start with")
+	_citizens.start_rule = "Houshold"
+	check(not _citizens.generate_population(), "it says no")
+	var told: Array[Dictionary] = _citizens.get_diagnostics()
+	check_equal(told.size(), 1, "with one diagnostic")
+	check_equal(told[0]["hint"], "did you mean 'Household'?", "that says what to do")
+	check_equal(told[0]["file"], "rules.pcg", "and where")
+
+
+func test_what_the_city_lacks_is_told_once_with_the_rule_that_asks() -> void:
+	_city.lot_types = [CityForTests.make_type("house", 60, CityForTests.HOUSE), CityForTests.make_type("workplace", 40, CityForTests.WORKPLACE)]
+	_city.generate_now()
+	expect_message("the city has no building of type 'school'")
+	_begin()
+	expect_message("rules.pcg:11:10: warning: the city has no zone of type 'park'") # after the engine's own WARNING:
+	_citizens.advance(24 * HOUR)
+	_citizens.advance(24 * HOUR)
+	var missing: Array = _citizens.get_diagnostics().filter(func(one: Dictionary) -> bool: return one["id"] == "unknown-type")
+	check_equal(missing.size(), 2, "each once: %s" % [missing])
+	check_equal(missing[1]["hint"], "add lots whose rules make one: zone(\"park\")", "what to do")

@@ -59,22 +59,58 @@ func test_generation_beside_the_main_thread_tells_its_progress() -> void:
 	add_child(city)
 	check(city.generate(), "it begins")
 	check(city.is_generating(), "and goes on")
-	await city.city_generated
-	check(city.is_generated() and not city.is_generating(), "until it is there")
+	check_equal(await city.city_generated, true, "until it is told")
+	check(city.is_generated() and not city.is_generating(), "and is there")
 	check_equal(stages.slice(0, 4), ["lots", "scene", "navigation", "distances"] as Array[String], "stages in order")
 
 
 func test_a_cancelled_generation_leaves_nothing() -> void:
 	var city: PCGCity = CityForTests.make_city(200)
-	var told: Array[bool] = [false]
-	city.generation_canceled.connect(func() -> void: told[0] = true)
 	add_child(city)
 	city.generate()
 	city.cancel()
-	check(told[0], "it is told")
 	check(not city.is_generating() and not city.is_generated(), "nothing is there")
 	check_equal(city.get_child_count(), 0, "no children")
+	check_equal(await city.city_generated, false, "it is told")
 	check(city.generate_now(), "and it can be generated again")
+
+
+func test_every_generation_ends_in_one_signal_after_the_call() -> void:
+	var city: PCGCity = CityForTests.make_city(12)
+	var told: Array[bool] = []
+	city.city_generated.connect(func(success: bool) -> void: told.append(success))
+	expect_message("add it to the scene tree before generate()")
+	check(not city.generate(), "outside the tree")
+	check_equal(told, [] as Array[bool], "not told before the call returns")
+	await get_tree().process_frame
+	check_equal(told, [false] as Array[bool], "told that there is no city")
+	add_child(city)
+	city.generate_now()
+	check_equal(told.size(), 1, "the same of generate_now()")
+	await get_tree().process_frame
+	check_equal(told, [false, true] as Array[bool], "told that there is a city")
+	city.generate()
+	expect_message("it is being generated already")
+	check(not city.generate(), "a second call is refused")
+	check_equal(await city.city_generated, true, "the first one goes on")
+	expect_message("PCGCity has no layout")
+	city.layout = null
+	check(not city.generate(), "nothing to begin with")
+	check_equal(await city.city_generated, false, "and still whoever awaits it goes on")
+	check_equal(told, [false, true, true, false] as Array[bool], "once each")
+
+
+func test_a_generation_that_is_cut_off_is_told() -> void:
+	var city: PCGCity = CityForTests.make_city(200)
+	add_child(city)
+	city.generate()
+	city.clear()
+	check_equal(await city.city_generated, false, "by clear()")
+	city.generate()
+	remove_child(city)
+	check_equal(await city.city_generated, false, "by leaving the tree")
+	check(not city.is_generating(), "and it has ended")
+	city.queue_free()
 
 
 func test_a_city_that_is_freed_while_it_grows_goes_quietly() -> void:
@@ -92,8 +128,12 @@ func test_generating_again_replaces_what_was_there() -> void:
 	check(city.generate_now(), "again")
 	await get_tree().process_frame
 	check_equal(city.get_child_count(), before, "as many children as before")
+	var cleared: Array[int] = [0]
+	city.city_cleared.connect(func() -> void: cleared[0] += 1)
 	city.clear()
 	check_equal(city.get_child_count(), 0, "clear() takes all away")
+	city.clear()
+	check_equal(cleared[0], 1, "which is told once")
 
 
 func test_the_engine_finds_a_way_between_two_entrances() -> void:
@@ -153,11 +193,30 @@ func test_agenda_rules_do_not_build_lots() -> void:
 	check(not city.generate_now(), "it says no")
 
 
-func test_a_city_outside_the_tree_says_so() -> void:
-	expect_message("add it to the scene tree before generate()")
-	var city: PCGCity = CityForTests.make_city()
-	check(not city.generate(), "it says no")
-	city.free()
+func test_without_a_city_no_two_buildings_are_near() -> void:
+	expect_message("there is no city yet, so no distances. Call generate()")
+	var city: PCGCity = CityForTests.make_city(12)
+	add_child(city)
+	check_equal(city.get_distance(0, 1), INF, "before it is generated")
+	check(city.generate_now(), "it generates")
+	check_equal(city.get_distance(0, 0), 0.0, "a building is where it is")
+	check(city.get_distance(0, 1) < INF, "and another one can be reached")
+	expect_message("buildings are numbered from 0")
+	check_equal(city.get_distance(0, city.get_building_count()), INF, "one that is not there")
+
+
+func test_entrances_that_nobody_reaches_are_one_warning_and_marked() -> void:
+	var city: PCGCity = CityForTests.make_city(12)
+	city.lot_types = [CityForTests.make_type("house", 1, CityForTests.WALLED_HOUSE)]
+	add_child(city)
+	expect_message("12 of 12 entrances cannot be reached on foot")
+	check(city.generate_now(), "it generates")
+	var warnings: Array = city.get_diagnostics().filter(func(one: Dictionary) -> bool: return one["id"] == "unreachable-entrance")
+	check_equal(warnings.size(), 1, "one warning: %s" % [warnings])
+	var entrances: Array[Node] = get_tree().get_nodes_in_group(&"pcg_entrances").filter(func(node: Node) -> bool: return city.is_ancestor_of(node))
+	check_equal(entrances.size(), 12, "doors")
+	for node: Node in entrances:
+		check(not (node as PCGEntrance).reachable, "%s knows it" % [node.name])
 
 
 func test_a_city_is_written_as_gltf_or_not_at_all() -> void:

@@ -14,6 +14,13 @@ extern GDExtensionClassLibraryPtr library;
 // Identifies our wrappers among the bindings of other extensions.
 extern void *token;
 
+// Made by the source that GodotCPPDocData generates, before the library's entry point is called: help on the extension's classes, as XML
+// pages one behind the other, compressed by zlib. `p_data` stays where it is. The editor gets it when it starts.
+class DocDataRegistration {
+public:
+	DocDataRegistration(const char *p_hash, int p_uncompressed_size, int p_compressed_size, const unsigned char *p_data);
+};
+
 } // namespace internal
 
 enum ModuleInitializationLevel {

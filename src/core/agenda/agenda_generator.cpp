@@ -134,11 +134,8 @@ private:
 	// Batches come in order, so what is kept is what the first household said.
 	static void add_diagnostics(Batch &batch, std::vector<Told> &told) {
 		for (Diagnostic &diagnostic : batch.diagnostics) {
-			const auto is_same = [&](const Told &other) {
-				return other.first.id == diagnostic.id && other.first.file == diagnostic.file && other.first.line == diagnostic.line &&
-						other.first.column == diagnostic.column;
-			};
-			const auto found = std::find_if(told.begin(), told.end(), is_same);
+			const auto found =
+					std::find_if(told.begin(), told.end(), [&](const Told &other) { return agenda::is_repeat(other.first, diagnostic); });
 			if (found != told.end()) {
 				++found->repeats;
 			} else {
@@ -205,11 +202,27 @@ AgendaSet empty_agendas(const Population &population) {
 
 RuleId find_start(const Program &program, const AgendaOptions &options, Diagnostics &diagnostics) {
 	const RuleId start = options.start_rule.empty() ? program.start_rule : program.find_rule(options.start_rule);
-	if (!is_valid(start)) {
-		diagnostics.error("no-start-rule",
-				options.start_rule.empty() ? "the rules mark no rule as the start" : "the rules have no rule '" + options.start_rule + "' without parameters",
-				"write @StartRule before the rule that a household begins with");
+	if (is_valid(start)) {
+		return start;
 	}
+	Diagnostic missing;
+	missing.id = "no-start-rule";
+	missing.file = program.files.empty() ? std::string() : program.files[0];
+	if (options.start_rule.empty()) {
+		missing.message = "the rules mark no rule as the start";
+		missing.hint = "write @StartRule before the rule that a household begins with";
+	} else {
+		std::vector<std::string_view> names;
+		for (const RuleInfo &rule : program.rules) {
+			if (rule.params.empty()) {
+				names.push_back(rule.name);
+			}
+		}
+		const std::string_view closest = closest_name(options.start_rule, names);
+		missing.message = "the rules have no rule '" + options.start_rule + "' without parameters to start with";
+		missing.hint = closest.empty() ? "name another start rule, or none for the one that is marked @StartRule" : "did you mean '" + std::string(closest) + "'?";
+	}
+	diagnostics.add(std::move(missing));
 	return start;
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
+#include "core/base/diagnostic.h"
 #include "core/base/ids.h"
 #include "core/lang/program.h"
 #include "core/lang/vm.h"
@@ -26,6 +28,15 @@ struct World {
 
 // Asks for all type names of the program's texts; make it anew when types were added to the city.
 World make_world(const Program &program, const CityModel &city, const PathProvider &paths, const Population &population);
+
+// What rules look for by the name of its type.
+enum class TypeUse : uint8_t { Building, Zone, Object };
+
+// The id of the warning that the city has nothing of a type. It is about the city: no household or person belongs to it.
+constexpr std::string_view missing_type_id = "unknown-type";
+
+// Whether one message makes the other unnecessary: a missing type is told once, everything else once for each place in the rules.
+bool is_repeat(const Diagnostic &one, const Diagnostic &other);
 
 class Context : public VmHost {
 public:
@@ -56,10 +67,14 @@ public:
 	// Whether somebody could still use the object. While agendas are written all are free.
 	virtual bool has_free_place(ObjectId object) const = 0;
 
-	// The type that a text argument names; Invalid if the city has none of that name.
-	TypeId find_type(const Text &text) const;
+	// The type that a text argument names, if the city has something of it; otherwise Invalid, and a warning that says what is missing.
+	TypeId find_type(Vm &vm, const Text &text, TypeUse use);
 
 private:
+	TypeId type_named(const Text &text) const;
+	bool has_any(TypeId type, TypeUse use) const;
+	std::string_view closest_type(std::string_view name, TypeUse use) const;
+
 	const World *_world;
 	HouseholdId _household = HouseholdId::Invalid;
 	PersonId _focus = PersonId::Invalid;

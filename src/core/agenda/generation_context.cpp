@@ -1,5 +1,6 @@
 #include "core/agenda/generation_context.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <string>
@@ -129,7 +130,11 @@ void GenerationContext::report(Diagnostic diagnostic) {
 	if (_wants_single_days) {
 		return; // the run that asked for the day ends, and starts again for each day
 	}
-	diagnostic.message = "household " + std::to_string(index_of(household_id())) + ": " + diagnostic.message;
+	if (diagnostic.id != missing_type_id) {
+		diagnostic.message = "household " + std::to_string(index_of(household_id())) + ": " + diagnostic.message;
+	} else if (std::any_of(_diagnostics.begin(), _diagnostics.end(), [&](const Diagnostic &told) { return is_repeat(told, diagnostic); })) {
+		return;
+	}
 	_diagnostics.push_back(std::move(diagnostic));
 }
 

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <glm/geometric.hpp>
-
-#include "core/navigation/reachability.h"
 
 namespace pcg {
 
@@ -61,6 +60,20 @@ float cost_of(GroundKind kind, const GroundCosts &costs) {
 	return 1.0f;
 }
 
+constexpr size_t named_entrances = 5; // in a message; who wants all of them looks at the verdicts
+
+bool is_cut_off(Reach reach) { return reach == Reach::OffMesh || reach == Reach::Island; }
+
+std::string entrance_name(const City &city, const Entrance &entrance) {
+	const LotId lot = city.model.building(entrance.building).lot;
+	const std::string place = index_of(lot) < city.layout.lots.size() ? lot_name(city.layout, lot) : "a building without a lot";
+	return place + ", type `" + std::string(city.model.types.name(entrance.type)) + "`";
+}
+
+std::string reason_of(Reach reach) {
+	return reach == Reach::OffMesh ? "no walkable ground before it" : "the ground before it is not connected with the streets";
+}
+
 } // namespace
 
 BlockSource block_source_faces(const City &city, BlockId block, float border, bool has_carriageways) {
@@ -104,20 +117,22 @@ NavMesh city_nav_mesh(const City &city, const GroundCosts &costs) {
 	return NavMesh::build({ &region, 1 }, options);
 }
 
-void report_unreachable(const City &city, const NavMesh &mesh, Diagnostics &diagnostics) {
-	const std::vector<Reach> verdicts = reach_of_entrances(city.model, mesh);
+void report_unreachable(const City &city, std::span<const Reach> verdicts, Diagnostics &diagnostics) {
+	std::string names;
+	size_t count = 0;
+	const size_t total = verdicts.size() - size_t(std::count(verdicts.begin(), verdicts.end(), Reach::Removed));
 	for (size_t i = 0; i < verdicts.size(); ++i) {
-		if (verdicts[i] != Reach::OffMesh && verdicts[i] != Reach::Island) {
-			continue;
+		if (is_cut_off(verdicts[i]) && ++count <= named_entrances) {
+			names += (count > 1 ? "; " : "") + entrance_name(city, city.model.entrances()[i]) + ", " + reason_of(verdicts[i]);
 		}
-		const Entrance &entrance = city.model.entrances()[i];
-		const LotId lot = city.model.building(entrance.building).lot;
-		const std::string place = index_of(lot) < city.layout.lots.size() ? lot_name(city.layout, lot) : "a building without a lot";
-		const std::string type(city.model.types.name(entrance.type));
-		diagnostics.warning("unreachable-entrance", place + ": the entrance of type `" + type + "` cannot be reached on foot: " +
-						(verdicts[i] == Reach::OffMesh ? "there is no walkable ground before it" : "the ground before it is not connected with the streets"),
-				"leave free ground between the door and the street");
 	}
+	if (count == 0) {
+		return;
+	}
+	const std::string rest = count > named_entrances ? "; and " + std::to_string(count - named_entrances) + " more" : "";
+	diagnostics.warning("unreachable-entrance", std::to_string(count) + " of " + std::to_string(total) +
+					(total == 1 ? " entrance" : " entrances") + " cannot be reached on foot: " + names + rest,
+			"leave free ground between each of these doors and the street");
 }
 
 } // namespace pcg

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/city/city.h"
 #include "core/navigation/nav_mesh.h"
+#include "core/navigation/reachability.h"
 
 // From a city to ground for walking: for an engine that bakes it block by block, or as a mesh without any engine.
 namespace pcg {
@@ -31,7 +33,7 @@ struct GroundCosts {
 NavRegion city_nav_region(const City &city, const GroundCosts &costs = {});
 NavMesh city_nav_mesh(const City &city, const GroundCosts &costs = {});
 
-// One warning for each entrance that cannot be reached, with the lot's name.
-void report_unreachable(const City &city, const NavMesh &mesh, Diagnostics &diagnostics);
+// One warning that counts the entrances that cannot be reached and names the first few; `verdicts` as from reach_of_entrances().
+void report_unreachable(const City &city, std::span<const Reach> verdicts, Diagnostics &diagnostics);
 
 } // namespace pcg

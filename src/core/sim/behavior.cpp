@@ -85,7 +85,7 @@ Flow Behavior::go_to_building(double number) {
 Flow Behavior::go_to_zone(const Text &type) {
 	glm::vec3 position{ 0.0f };
 	glm::vec3 entry{ 0.0f };
-	const TypeId id = find_type(type);
+	const TypeId id = find_type(_vm, type, agenda::TypeUse::Zone);
 	ZoneId zone = ZoneId::Invalid;
 	if (is_valid(id) && present_position(position)) {
 		zone = paths().nearest_zone(id, position, entry);
@@ -151,13 +151,15 @@ void Behavior::report(Diagnostic diagnostic) {
 	if (_simulation._is_replaying) {
 		return;
 	}
-	diagnostic.message += " (person " + std::to_string(index_of(_person)) + " of household " +
-			std::to_string(index_of(household_id())) + ", day " + std::to_string(_simulation.now().day()) + ", " +
-			clock_text(_simulation.now().time_of_day(), true) + ")";
+	if (diagnostic.id != agenda::missing_type_id) {
+		diagnostic.message += " (person " + std::to_string(index_of(_person)) + " of household " +
+				std::to_string(index_of(household_id())) + ", day " + std::to_string(_simulation.now().day()) + ", " +
+				clock_text(_simulation.now().time_of_day(), true) + ")";
+	}
 	if (diagnostic.severity == Severity::Error) {
 		_simulation.emit(_person, SimEventKind::RuleFailed);
 	}
-	_simulation._diagnostics.add(std::move(diagnostic));
+	_simulation.note(std::move(diagnostic));
 }
 
 } // namespace pcg

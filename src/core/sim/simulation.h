@@ -105,7 +105,7 @@ public:
 	bool is_place_free(ObjectId object) const { return _reservations.is_free(_city, object); }
 
 	const SimulationStatistics &statistics() const { return _statistics; }
-	// Run-time errors of delayed rules and the like.
+	// Run-time errors of delayed rules and the like: a missing type once, everything else once for each place in the rules.
 	const Diagnostics &diagnostics() const { return _diagnostics; }
 
 	// Told in the order of adding. Must outlive the simulation or be removed.
@@ -140,6 +140,7 @@ private:
 
 	// simulation_report.cpp: what observers and the host hear
 	void emit(PersonId id, SimEventKind kind, Target place = {});
+	void note(Diagnostic diagnostic);
 	void close_span(PersonId id);
 	void change_outside(int change);
 	bool has_bodies() const { return _settings.has_live_bodies && !_is_replaying; }

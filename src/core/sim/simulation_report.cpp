@@ -2,6 +2,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/agenda/context.h"
 #include "core/sim/simulation.h"
 
 // What a simulation tells: events and spans to observers, bodies to the host.
@@ -18,6 +19,13 @@ void Simulation::emit(PersonId id, SimEventKind kind, Target place) {
 	const SimEvent event{ _now, id, kind, place, position(id) };
 	for (SimulationObserver *observer : _observers) {
 		observer->on_event(event);
+	}
+}
+
+void Simulation::note(Diagnostic diagnostic) {
+	const std::vector<Diagnostic> &told = _diagnostics.list();
+	if (std::none_of(told.begin(), told.end(), [&](const Diagnostic &other) { return agenda::is_repeat(other, diagnostic); })) {
+		_diagnostics.add(std::move(diagnostic));
 	}
 }
 

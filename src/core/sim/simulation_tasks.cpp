@@ -98,8 +98,11 @@ void Simulation::begin_rule(PersonId id, RuleId rule, SimTime end) {
 		show_standing(id);
 	}
 	if (!_program || index_of(rule) >= _program->rules.size()) {
-		_diagnostics.error("missing-rule", "an agenda wants a rule that the program of the simulation does not have",
-				"run the agendas with the rule file that wrote them");
+		Diagnostic missing;
+		missing.id = "missing-rule";
+		missing.message = "an agenda wants a rule that the program of the simulation does not have";
+		missing.hint = "run the agendas with the rule file that wrote them";
+		note(std::move(missing));
 		emit(id, SimEventKind::RuleFailed);
 		idle_until_next(id);
 		return;

@@ -49,6 +49,7 @@ private:
 
 // Everything that one running simulation needs, in the order in which it depends on each other.
 struct CitizenLife {
+	uint64_t city_id = 0; // of the PCGCity
 	std::shared_ptr<const CityState> city;
 	std::shared_ptr<const Program> program;
 	Population population;

@@ -1,5 +1,6 @@
 #include "godot/nodes/citizen_manager.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <godot_cpp/classes/engine.hpp>
@@ -9,6 +10,7 @@
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
 #include "core/agenda/agenda_generator.h"
+#include "core/agenda/context.h"
 #include "core/population/population_generator.h"
 #include "core/sim/day_plan.h"
 #include "godot/convert.h"
@@ -48,13 +50,38 @@ void CitizenManager::_ready() {
 		city->connect("city_generated", start_then);
 	}
 	if (city->is_generated()) {
-		on_city_generated();
+		on_city_generated(true);
 	}
 }
 
-void CitizenManager::on_city_generated() {
-	if (_auto_start && generate_population()) {
+void CitizenManager::on_city_generated(bool p_success) {
+	if (p_success && _auto_start && generate_population()) {
 		start();
+	}
+}
+
+// So that life ends with the ground under it.
+void CitizenManager::follow_city() {
+	PCGCity *city = get_city();
+	const godot::Callable leave = callable_mp(this, &CitizenManager::leave_lost_city);
+	_life->city_id = city->get_instance_id();
+	if (!city->is_connected("city_cleared", leave)) {
+		city->connect("city_cleared", leave);
+	}
+}
+
+// Another city than the one that is lived in may have been cleared; then nothing happens.
+void CitizenManager::leave_lost_city() {
+	const PCGCity *city = _life ? Object::cast_to<PCGCity>(ObjectDB::get_instance(_life->city_id)) : nullptr;
+	if (!_life || (city && city->state() == _life->city)) {
+		return;
+	}
+	const bool ends_unasked = is_running() && !(_auto_start && city && city->is_generating());
+	stop();
+	_life.reset();
+	if (ends_unasked) {
+		WARN_PRINT("CitizenManager: its city was cleared, freed or generated anew, so the simulation has stopped. Call generate_population() and "
+				   "start() when the new city is there, or stop() before the old one goes.");
 	}
 }
 
@@ -145,16 +172,18 @@ bool CitizenManager::generate_population() {
 		life->agendas = generate_agendas(*life->program, model, *life->city->paths, life->population, days, _diagnostics);
 	}
 	report(_diagnostics);
-	if (life->agendas.person_count() != life->population.persons.size() || life->population.persons.empty()) {
+	// Households whose rules failed have what was written until then; where nobody has anything there is no day to live.
+	if (life->population.persons.empty() || (life->agendas.tasks.empty() && _diagnostics.has_errors())) {
 		return false;
 	}
 	_life = std::move(life);
+	follow_city();
 	emit_signal("population_generated");
 	return true;
 }
 
 bool CitizenManager::start() {
-	ERR_FAIL_COND_V_MSG(!_life, false, "CitizenManager: there is nobody yet. Call generate_population() before start().");
+	ERR_FAIL_COND_V_MSG(!_life, false, "CitizenManager: there is nobody in this city yet. Call generate_population() before start().");
 	stop();
 	SimulationSettings settings;
 	settings.seed = uint64_t(_seed);
@@ -176,11 +205,13 @@ bool CitizenManager::start() {
 	listen();
 	_owed_seconds = 0.0;
 	_told_breaks = 0;
+	_told_messages = 0;
 	life.simulation->start(_begin);
 	_view->show_at(life.simulation->now());
+	tell_rule_messages();
 	emit_signal("simulation_started");
 	tell_notices();
-	return true;
+	return is_running(); // whoever listened may have ended it
 }
 
 void CitizenManager::open_view() {
@@ -212,9 +243,11 @@ void CitizenManager::stop() {
 	_life->simulation.reset();
 	_life->log.reset();
 	_life->heat.reset();
+	emit_signal("simulation_stopped");
 }
 
 void CitizenManager::_process(double p_delta) {
+	leave_lost_city(); // one that was freed has told nobody
 	if (is_running() && !_is_paused) {
 		advance(p_delta * _time_scale);
 	}
@@ -235,6 +268,7 @@ void CitizenManager::advance(double p_seconds) {
 	if (_life->checker) {
 		_life->checker->check();
 	}
+	tell_rule_messages();
 	tell_notices();
 	for (int64_t day = day_before + 1; is_running() && day <= _life->simulation->now().day(); ++day) {
 		emit_signal("day_started", day);
@@ -253,6 +287,7 @@ void CitizenManager::jump_to(int p_day, double p_seconds) {
 	_life->simulation->jump_to(time);
 	_owed_seconds = 0.0;
 	_view->show_at(time);
+	tell_rule_messages();
 	tell_notices();
 	emit_signal("time_jumped");
 }
@@ -286,7 +321,24 @@ void CitizenManager::listen() {
 	}
 }
 
+// What went wrong in delayed rules, and was not told when agendas were written.
+void CitizenManager::tell_rule_messages() {
+	const std::vector<Diagnostic> &messages = _life->simulation->diagnostics().list();
+	Diagnostics news;
+	for (; _told_messages < messages.size(); ++_told_messages) {
+		const Diagnostic &message = messages[_told_messages];
+		const std::vector<Diagnostic> &told = _diagnostics.list();
+		if (std::none_of(told.begin(), told.end(), [&](const Diagnostic &other) { return agenda::is_repeat(other, message); })) {
+			news.add(message);
+		}
+	}
+	report(news);
+}
+
 void CitizenManager::tell_notices() {
+	if (!_life) {
+		return; // whoever listened to the signal before this one has cleared the city
+	}
 	const std::vector<Notice> notices = _life->notices.take();
 	for (const Notice &notice : notices) {
 		const StringName signal = signal_of_notice[size_t(notice.kind)];

@@ -102,7 +102,10 @@ private:
 	void tell_notices();
 	void tell_broken_promises();
 	void flush_lives() const;
-	void on_city_generated();
+	void tell_rule_messages();
+	void on_city_generated(bool p_success);
+	void follow_city();
+	void leave_lost_city();
 
 	uint64_t _city_id = 0; // of the PCGCity; 0 = none
 	godot::Ref<PCGRuleSet> _rules;
@@ -123,6 +126,7 @@ private:
 	PCGAgentView *_view = nullptr; // a child, from the first start() on
 	double _owed_seconds = 0.0; // of simulated time, below the clock's millisecond
 	uint64_t _told_breaks = 0;
+	size_t _told_messages = 0; // of the simulation's diagnostics
 };
 
 } // namespace pcg

@@ -21,6 +21,7 @@ void CitizenManager::_bind_methods() {
 	const PropertyInfo person(Variant::INT, "person"), building(Variant::INT, "building");
 	ADD_SIGNAL(MethodInfo("population_generated"));
 	ADD_SIGNAL(MethodInfo("simulation_started"));
+	ADD_SIGNAL(MethodInfo("simulation_stopped"));
 	ADD_SIGNAL(MethodInfo("time_jumped"));
 	ADD_SIGNAL(MethodInfo("day_started", PropertyInfo(Variant::INT, "day")));
 	ADD_SIGNAL(MethodInfo("person_left_building", person, building));

@@ -1,5 +1,7 @@
 #include "godot/nodes/city_builder.h"
 
+#include <algorithm>
+
 #include <glm/geometric.hpp>
 
 #include <godot_cpp/classes/array_mesh.hpp>
@@ -138,6 +140,17 @@ void CityBuilder::build_entrances(Node3D *lot, const LotBuild &build) {
 		node->set_transform(to_godot(entrance.position, entrance.facing).translated(-lot->get_position()));
 		node->add_to_group("pcg_entrances", true);
 		add(lot, node, "Entrance" + String::num_int64(index_of(id)));
+		_entrances.resize(std::max(_entrances.size(), size_t(index_of(id)) + 1));
+		_entrances[index_of(id)] = node->get_instance_id();
+	}
+}
+
+void CityBuilder::mark_unreachable(std::span<const Reach> verdicts) {
+	for (size_t i = 0; i < std::min(verdicts.size(), _entrances.size()); ++i) {
+		PCGEntrance *node = Object::cast_to<PCGEntrance>(ObjectDB::get_instance(_entrances[i]));
+		if (node && (verdicts[i] == Reach::OffMesh || verdicts[i] == Reach::Island)) {
+			node->set_reachable(false);
+		}
 	}
 }
 

@@ -1,10 +1,15 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include <godot_cpp/classes/navigation_mesh.hpp>
 #include <godot_cpp/classes/node3d.hpp>
 #include <godot_cpp/classes/ref.hpp>
+#include <godot_cpp/core/object_id.hpp>
 
 #include "core/city/city.h"
+#include "core/navigation/reachability.h"
 #include "godot/city_materials.h"
 
 namespace pcg {
@@ -18,6 +23,8 @@ public:
 	void build_streets();
 	void build_block(BlockId block);
 	void add_region(BlockId block, const godot::Ref<godot::NavigationMesh> &mesh);
+	// Tells the entrances' nodes which of them nobody can walk to; by EntranceId.
+	void mark_unreachable(std::span<const Reach> verdicts);
 	// Removes whatever an earlier builder made.
 	static void clear(godot::Node3D *root);
 
@@ -38,6 +45,7 @@ private:
 	const City &_city;
 	godot::Node *_owner; // of everything that is made, so that it is saved with the scene
 	CityMaterials _materials;
+	std::vector<godot::ObjectID> _entrances; // nodes by EntranceId; somebody else may free them meanwhile
 };
 
 } // namespace pcg

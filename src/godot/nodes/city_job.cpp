@@ -25,7 +25,8 @@ bool CityJob::grow() {
 bool CityJob::join() {
 	state->ground = NavMesh::build(regions);
 	progress = 0.5f;
-	report_unreachable(state->city, state->ground, diagnostics);
+	reach = reach_of_entrances(state->city.model, state->ground);
+	report_unreachable(state->city, reach, diagnostics);
 	state->paths = std::make_unique<NavMeshPaths>(state->city.model, state->ground);
 	return !is_cancelled;
 }

@@ -8,6 +8,7 @@
 #include "core/city/city.h"
 #include "core/city/city_generator.h"
 #include "core/navigation/nav_mesh.h"
+#include "core/navigation/reachability.h"
 #include "core/ports/path_provider.h"
 
 namespace pcg {
@@ -39,6 +40,7 @@ public:
 	bool has_succeeded = false; // of the last call; read after it has ended
 	Diagnostics diagnostics;
 	std::vector<NavRegion> regions; // by block; for join()
+	std::vector<Reach> reach; // by EntranceId; of join()
 	std::shared_ptr<CityState> state;
 
 private:

@@ -56,9 +56,8 @@ void PCGCity::_bind_methods() {
 
 	ADD_SIGNAL(MethodInfo("generation_started"));
 	ADD_SIGNAL(MethodInfo("generation_progressed", PropertyInfo(Variant::STRING, "stage"), PropertyInfo(Variant::FLOAT, "fraction")));
-	ADD_SIGNAL(MethodInfo("city_generated"));
-	ADD_SIGNAL(MethodInfo("generation_canceled"));
-	ADD_SIGNAL(MethodInfo("generation_failed"));
+	ADD_SIGNAL(MethodInfo("city_generated", PropertyInfo(Variant::BOOL, "success")));
+	ADD_SIGNAL(MethodInfo("city_cleared"));
 }
 
 void PCGCity::set_layout(const Ref<PCGLayout> &p_layout) {
@@ -84,8 +83,8 @@ void PCGCity::_ready() {
 }
 
 void PCGCity::_notification(int p_what) {
-	if (p_what == NOTIFICATION_EXIT_TREE) {
-		stop();
+	if (p_what == NOTIFICATION_EXIT_TREE && is_generating()) {
+		end(false);
 	}
 }
 
@@ -141,38 +140,39 @@ bool PCGCity::prepare_job(CityInput &input, Diagnostics &diagnostics) const {
 	return !diagnostics.has_errors();
 }
 
-bool PCGCity::begin() {
+bool PCGCity::begin(bool is_async) {
 	ERR_FAIL_COND_V_MSG(is_generating(), false, "PCGCity: it is being generated already. Call cancel() first, or wait for city_generated.");
+	if (!is_inside_tree()) {
+		tell_end(false);
+		ERR_FAIL_V_MSG(false, "PCGCity: add it to the scene tree before generate(): its ground is baked for a world.");
+	}
 	CityInput input;
 	_diagnostics = Diagnostics();
 	_seconds.clear();
 	if (!prepare_job(input, _diagnostics)) {
 		report(_diagnostics);
+		tell_end(false);
 		return false;
 	}
 	_job = std::make_unique<CityJob>(std::move(input));
+	_is_async = is_async;
 	emit_signal("generation_started");
+	start_task(Stage::Growing);
 	return true;
 }
 
 bool PCGCity::generate() {
-	ERR_FAIL_COND_V_MSG(!is_inside_tree(), false, "PCGCity: add it to the scene tree before generate(): its ground is baked for a world.");
-	if (!begin()) {
+	if (!begin(true)) {
 		return false;
 	}
-	_is_async = true;
 	set_process(true);
-	start_task(Stage::Growing);
 	return true;
 }
 
 bool PCGCity::generate_now() {
-	ERR_FAIL_COND_V_MSG(!is_inside_tree(), false, "PCGCity: add it to the scene tree before generate_now(): its ground is baked for a world.");
-	if (!begin()) {
+	if (!begin(false)) {
 		return false;
 	}
-	_is_async = false;
-	start_task(Stage::Growing);
 	while (is_generating()) {
 		go_on();
 	}
@@ -184,18 +184,35 @@ void PCGCity::cancel() {
 		return;
 	}
 	const bool is_scene_touched = _stage != Stage::Growing;
-	stop();
+	end(false);
 	if (is_scene_touched) {
-		clear();
+		tear_down();
 	}
-	emit_signal("generation_canceled");
 }
 
 void PCGCity::clear() {
-	stop();
-	CityBuilder::clear(this);
-	_state.reset();
+	if (is_generating()) {
+		end(false);
+	}
+	tear_down();
 }
+
+// Nothing is left of the city that was there, and whoever lived in it is told.
+void PCGCity::tear_down() {
+	CityBuilder::clear(this);
+	if (_state) {
+		_state.reset();
+		emit_signal("city_cleared");
+	}
+}
+
+void PCGCity::end(bool is_good) {
+	stop();
+	tell_end(is_good);
+}
+
+// Told when the caller has returned, so that nobody who awaits the signal afterwards waits in vain.
+void PCGCity::tell_end(bool is_good) { call_deferred("emit_signal", "city_generated", is_good); }
 
 // Ends a generation without a word.
 void PCGCity::stop() {
@@ -270,7 +287,7 @@ void PCGCity::begin_building() {
 	note_seconds("lots");
 	_stage = Stage::Building;
 	_next_block = 0;
-	CityBuilder::clear(this);
+	tear_down();
 	_builder = std::make_unique<CityBuilder>(this, _job->state->city);
 	_builder->build_streets();
 }
@@ -321,18 +338,16 @@ void PCGCity::finish() {
 	note_seconds("distances");
 	_diagnostics.append(_job->diagnostics);
 	_state = _job->state;
-	stop();
+	_builder->mark_unreachable(_job->reach);
 	report(_diagnostics);
-	emit_signal("city_generated");
+	end(true);
 }
 
 void PCGCity::fail() {
 	_diagnostics.append(_job->diagnostics);
-	stop();
-	CityBuilder::clear(this);
-	_state.reset();
 	report(_diagnostics);
-	emit_signal("generation_failed");
+	end(false);
+	tear_down();
 }
 
 void PCGCity::note_seconds(const char *stage) {
@@ -344,56 +359,6 @@ void PCGCity::note_seconds(const char *stage) {
 void PCGCity::tell_progress(double fraction) {
 	static constexpr const char *names[] = { "idle", "lots", "scene", "navigation", "distances" };
 	emit_signal("generation_progressed", names[int(_stage)], fraction);
-}
-
-TypedArray<Dictionary> PCGCity::get_diagnostics() const { return to_godot(_diagnostics); }
-
-int PCGCity::get_building_count() const { return _state ? int(_state->city.model.buildings().size()) : 0; }
-
-Dictionary PCGCity::get_statistics() const {
-	Dictionary result;
-	if (!_state) {
-		return result;
-	}
-	const City &city = _state->city;
-	int64_t faces = 0;
-	for (const LotBuild &lot : city.lots) {
-		faces += int64_t(lot.model.face_count);
-	}
-	Dictionary entrances;
-	for (const Entrance &entrance : city.model.entrances()) {
-		const String type = to_godot(city.model.types.name(entrance.type));
-		entrances[type] = int64_t(entrances.get(type, 0)) + 1;
-	}
-	result["blocks"] = int64_t(city.layout.blocks.size());
-	result["lots"] = int64_t(city.layout.lots.size());
-	result["faces"] = faces;
-	result["buildings"] = int64_t(city.model.buildings().size());
-	result["entrances"] = entrances;
-	result["zones"] = int64_t(city.model.zones().size());
-	result["objects"] = int64_t(city.model.objects().size());
-	result["seconds"] = _seconds;
-	return result;
-}
-
-PackedVector3Array PCGCity::find_path(const Vector3 &p_from, const Vector3 &p_to) const {
-	ERR_FAIL_COND_V_MSG(!_state, PackedVector3Array(), "PCGCity: there is no city yet. Call generate() and wait for city_generated.");
-	const Transform3D frame = is_inside_tree() ? get_global_transform() : get_transform();
-	const Transform3D inverse = frame.affine_inverse();
-	const std::vector<glm::vec3> path = _state->paths->path(from_godot(inverse.xform(p_from)), from_godot(inverse.xform(p_to)));
-	PackedVector3Array points;
-	for (const glm::vec3 &point : path) {
-		points.push_back(frame.xform(to_godot(point)));
-	}
-	return points;
-}
-
-double PCGCity::get_distance(int p_building, int p_other) const {
-	ERR_FAIL_COND_V_MSG(!_state, 0.0, "PCGCity: there is no city yet. Call generate() and wait for city_generated.");
-	const int count = get_building_count();
-	ERR_FAIL_COND_V_MSG(p_building < 0 || p_building >= count || p_other < 0 || p_other >= count, 0.0,
-			"PCGCity: buildings are numbered from 0 to get_building_count() - 1.");
-	return _state->paths->distance(BuildingId(p_building), BuildingId(p_other));
 }
 
 } // namespace pcg

@@ -39,9 +39,9 @@ public:
 	void set_agent_radius(double p_metres);
 	double get_agent_radius() const { return _agent_radius; }
 
-	// False, with one error, if nothing sensible can be made. Otherwise city_generated, generation_failed or generation_canceled follows.
+	// Whatever comes of it, city_generated follows once, after this call has returned. False, with one error, if nothing sensible can be made.
 	bool generate();
-	// The same before it returns.
+	// The same, but the city is there when it returns.
 	bool generate_now();
 	void cancel();
 	void clear();
@@ -69,7 +69,7 @@ protected:
 private:
 	enum class Stage { Idle, Growing, Building, Baking, Joining };
 
-	bool begin();
+	bool begin(bool is_async);
 	bool prepare_job(CityInput &input, Diagnostics &diagnostics) const;
 	void go_on();
 	void start_task(Stage stage);
@@ -83,6 +83,9 @@ private:
 	void finish();
 	void fail();
 	void stop();
+	void end(bool is_good);
+	void tell_end(bool is_good);
+	void tear_down();
 	void note_seconds(const char *stage);
 	void tell_progress(double fraction);
 

@@ -21,6 +21,9 @@ void PCGEntrance::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_entrance_id", "id"), &PCGEntrance::set_entrance_id);
 	ClassDB::bind_method(D_METHOD("get_entrance_id"), &PCGEntrance::get_entrance_id);
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "entrance_id"), "set_entrance_id", "get_entrance_id");
+	ClassDB::bind_method(D_METHOD("set_reachable", "reachable"), &PCGEntrance::set_reachable);
+	ClassDB::bind_method(D_METHOD("is_reachable"), &PCGEntrance::is_reachable);
+	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "reachable"), "set_reachable", "is_reachable");
 }
 
 void PCGEntrance::set_type(const String &p_type) {
@@ -33,10 +36,18 @@ void PCGEntrance::set_capacity(int p_capacity) {
 	_capacity = p_capacity;
 }
 
+void PCGEntrance::set_reachable(bool p_reachable) {
+	_is_reachable = p_reachable;
+	update_configuration_warnings();
+}
+
 PackedStringArray PCGEntrance::_get_configuration_warnings() const {
 	PackedStringArray warnings;
 	if (_type.is_empty()) {
 		warnings.push_back("This entrance has no type. Give it one that rules ask for, such as \"house\", \"school\" or \"workplace\".");
+	}
+	if (!_is_reachable) {
+		warnings.push_back("Nobody can walk to this entrance. Leave free ground between it and the street.");
 	}
 	return warnings;
 }

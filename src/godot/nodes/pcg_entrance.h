@@ -19,6 +19,8 @@ public:
 	int get_building_id() const { return _building_id; }
 	void set_entrance_id(int p_id) { _entrance_id = p_id; }
 	int get_entrance_id() const { return _entrance_id; }
+	void set_reachable(bool p_reachable);
+	bool is_reachable() const { return _is_reachable; }
 
 	godot::PackedStringArray _get_configuration_warnings() const override;
 
@@ -30,6 +32,7 @@ private:
 	int _capacity = 0;
 	int _building_id = -1;
 	int _entrance_id = -1;
+	bool _is_reachable = true;
 };
 
 } // namespace pcg

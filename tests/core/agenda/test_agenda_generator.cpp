@@ -119,8 +119,28 @@ TEST_CASE("another start rule can be named; a missing one is an error and nobody
 	AgendaFixture missing = street(3);
 	missing.options.start_rule = "Nothing";
 	missing.generate("@StartRule\nHousehold --> members { true: stayInside(1h, 2h, home) }");
-	CHECK(missing.problems() == "no-start-rule");
+	REQUIRE(missing.problems() == "no-start-rule");
+	CHECK(missing.diagnostics.list()[0].hint == "name another start rule, or none for the one that is marked @StartRule");
 	CHECK(missing.agendas.tasks_of(PersonId(0)).empty());
+	AgendaFixture misspelt = street(3);
+	misspelt.options.start_rule = "Houshold";
+	misspelt.generate("@StartRule\nHousehold --> members { true: stayInside(1h, 2h, home) }");
+	REQUIRE(misspelt.problems() == "no-start-rule");
+	CHECK(misspelt.diagnostics.list()[0].hint == "did you mean 'Household'?");
+}
+
+TEST_CASE("each type that the city lacks is one warning, also where one call asks for several of them") {
+	AgendaFixture fixture = street(600); // more than one batch of households
+	REQUIRE(fixture.generate("@StartRule\nHousehold --> members { true: Visit(\"zoo\") Visit(\"park\") }\n"
+							 "Visit(type) --> set(goal, findBuilding(type)) set(bench, findObject(type))\n"));
+	REQUIRE(fixture.problems() == "unknown-type unknown-type unknown-type unknown-type");
+	const std::vector<Diagnostic> &told = fixture.diagnostics.list();
+	CHECK(told[0].message == "the city has no building of type 'zoo'");
+	CHECK(told[0].hint == "add lots whose rules make one: entrance(\"zoo\")");
+	CHECK(told[0].line == 3);
+	CHECK(told[1].message == "the city has no object of type 'zoo'");
+	CHECK(told[2].message == "the city has no building of type 'park'");
+	CHECK(told[3].message == "the city has no object of type 'park'");
 }
 
 TEST_CASE("rules that read the day draw the same on each day, and entries equal on all days are one") {

@@ -115,7 +115,7 @@ TEST_CASE("nobody can walk through houses, and every door can be reached") {
 	}
 	Diagnostics diagnostics;
 	const NavMesh mesh = city_nav_mesh(city);
-	report_unreachable(city, mesh, diagnostics);
+	report_unreachable(city, reach_of_entrances(city.model, mesh), diagnostics);
 	CHECK_MESSAGE(diagnostics.is_empty(), to_text(diagnostics));
 	const NavMeshPaths paths(city.model, mesh);
 	const std::vector<BuildingId> &houses = city.model.buildings_of_type(city.model.types.find("house"));

@@ -111,10 +111,33 @@ TEST_CASE("an entrance that cannot be reached is a warning that names the lot") 
 	City city = empty_city(parameters);
 	add_door(city, LotId(0));
 	Diagnostics diagnostics;
-	report_unreachable(city, city_nav_mesh(city), diagnostics);
+	const auto report = [&] { report_unreachable(city, reach_of_entrances(city.model, city_nav_mesh(city)), diagnostics); };
+	report();
 	CHECK(diagnostics.is_empty());
 	city.model.move_entrance(EntranceId(0), { 0, 0, 500 }, { 0, 0, 1 });
-	report_unreachable(city, city_nav_mesh(city), diagnostics);
+	report();
 	REQUIRE(diagnostics.warning_count() == 1);
-	CHECK(diagnostics.list()[0].message.find("lot 0 (house)") == 0);
+	CHECK(diagnostics.list()[0].message.find("1 of 1 entrance cannot be reached on foot: lot 0 (house)") == 0);
+}
+
+TEST_CASE("many entrances that cannot be reached are one warning that counts them and names the first five") {
+	LayoutParameters parameters = layout_for_lots(9);
+	parameters.land_use = { { "house", 1.0 } };
+	City city = empty_city(parameters);
+	std::vector<Reach> verdicts;
+	for (uint32_t i = 0; i < 9; ++i) {
+		add_door(city, LotId(i));
+		verdicts.push_back(i == 1 ? Reach::Reachable : i == 3 ? Reach::Removed : i == 4 ? Reach::Island : Reach::OffMesh);
+	}
+	Diagnostics diagnostics;
+	report_unreachable(city, verdicts, diagnostics);
+	REQUIRE(diagnostics.warning_count() == 1);
+	const std::string &message = diagnostics.list()[0].message;
+	CHECK(message.find("7 of 8 entrances cannot be reached on foot: lot 0 (house)") == 0);
+	for (const char *told : { "lot 2 (house)", "lot 4 (house)", "lot 5 (house)", "lot 6 (house)", "is not connected with the streets", "; and 2 more" }) {
+		CHECK_MESSAGE(message.find(told) != std::string::npos, told);
+	}
+	for (const char *left_out : { "lot 1 ", "lot 3 ", "lot 7 ", "lot 8 " }) {
+		CHECK_MESSAGE(message.find(left_out) == std::string::npos, left_out);
+	}
 }

@@ -170,6 +170,45 @@ TEST_CASE("a run-time error ends the rule and is told with the person, the simul
 	CHECK(simulation.state(ana) == PersonState::Inside);
 }
 
+TEST_CASE("a run-time error is told once for its place in the rules, however often it happens") {
+	ParkTown t;
+	t.town.rules("Go Go --> wait(1 / (count() - count()))");
+	for (int i = 0; i < 3; ++i) {
+		t.town.delayed(t.add_person(), at(8), at(9), "Go");
+	}
+	Simulation &simulation = t.run(moment(2, 0));
+	CHECK(simulation.statistics().count(SimEventKind::RuleFailed) == 6); // three persons on two days
+	CHECK(simulation.diagnostics().error_count() == 1);
+}
+
+TEST_CASE("a zone and an object that the city has not are one warning each, with the place that asks first") {
+	ParkTown t;
+	t.town.rules("Go Go --> set(bench, findObject(\"bench\", 20))\n Sit\nSit --> goToZone(\"garden\")\nOther --> goToZone(\"garden\")");
+	t.town.delayed(t.add_person(), at(8), at(9), "Go");
+	t.town.delayed(t.add_person(), at(8), at(9), "Go");
+	t.town.delayed(t.add_person(), at(10), at(11), "Other");
+	Simulation &simulation = t.run();
+	REQUIRE(simulation.diagnostics().warning_count() == 2);
+	const Diagnostic &bench = simulation.diagnostics().list()[0], &garden = simulation.diagnostics().list()[1];
+	CHECK(bench.message == "the city has no object of type 'bench'");
+	CHECK(bench.hint == "add lots whose rules make one: @Object(\"bench\") before the rule of its shape");
+	CHECK(garden.message == "the city has no zone of type 'garden'");
+	CHECK(garden.hint == "add lots whose rules make one: zone(\"garden\")");
+	CHECK(garden.file == "day.pcg");
+	CHECK(garden.line == 3);
+}
+
+TEST_CASE("a name that the city has for something else is a missing type too, also in its first use after a time jump") {
+	ParkTown t;
+	t.town.rules("Go Go --> goToZone(\"house\")");
+	t.town.delayed(t.add_person(), at(8), at(9), "Go");
+	Simulation &simulation = t.run(moment(0, 1));
+	simulation.jump_to(moment(0, 20));
+	simulation.advance_to(moment(1, 20));
+	REQUIRE(simulation.diagnostics().warning_count() == 1);
+	CHECK(simulation.diagnostics().list()[0].message == "the city has no zone of type 'house'");
+}
+
 TEST_CASE("a rule that never waits is stopped") {
 	ParkTown t;
 	t.town.rules("Go Go --> wait(0) Go");

@@ -1,6 +1,5 @@
 #include <cmath>
 #include <limits>
-#include <string>
 
 #include "core/agenda/functions/functions.h"
 
@@ -30,14 +29,15 @@ Value get_distance_in_time(Vm &vm, const Args &args) {
 }
 
 Value find_building(Vm &vm, const Args &args) {
-	const TypeId type = find_type_or_warn(vm, args[0], "building");
-	const std::vector<BuildingId> &buildings = context_of(vm).city().buildings_of_type(type);
+	Context &context = context_of(vm);
+	const TypeId type = context.find_type(vm, *args[0].text, TypeUse::Building);
+	const std::vector<BuildingId> &buildings = context.city().buildings_of_type(type);
 	return Value::of(buildings.empty() ? -1.0 : to_number(buildings[vm.random().index(buildings.size())]));
 }
 
 Value find_nearest_building(Vm &vm, const Args &args) {
-	const Context &context = context_of(vm);
-	const TypeId type = find_type_or_warn(vm, args[0], "building");
+	Context &context = context_of(vm);
+	const TypeId type = context.find_type(vm, *args[0].text, TypeUse::Building);
 	const BuildingId from = building_of(context, args.number(1));
 	if (!is_valid(type) || !is_valid(from)) {
 		return Value::of(-1.0);
@@ -48,22 +48,6 @@ Value find_nearest_building(Vm &vm, const Args &args) {
 Value is_valid_id(Vm &, const Args &args) { return Value::of(std::isfinite(args.number(0)) && args.number(0) >= 0.0); }
 
 } // namespace
-
-TypeId find_type_or_warn(Vm &vm, const Value &text, std::string_view what) {
-	const Context &context = context_of(vm);
-	const TypeId type = context.find_type(*text.text);
-	if (is_valid(type)) {
-		return type;
-	}
-	std::vector<std::string_view> names;
-	for (size_t i = 0; i < context.city().types.size(); ++i) {
-		names.push_back(context.city().types.name(TypeId(uint32_t(i))));
-	}
-	const std::string_view closest = closest_name(text.text->view, names);
-	vm.warn("unknown-type", "the city has no " + std::string(what) + " of type '" + std::string(text.text->view) + "'",
-			closest.empty() ? std::string() : "did you mean '" + std::string(closest) + "'?");
-	return TypeId::Invalid;
-}
 
 void add_building_functions(Dialect &dialect) {
 	const ParamSpec a{ "a", ParamKind::Number };

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string_view>
-
 #include "core/agenda/context.h"
 #include "core/lang/dialect.h"
 
@@ -13,7 +11,5 @@ void add_building_functions(Dialect &dialect); // getDistance getDistanceInTime 
 void add_object_functions(Dialect &dialect); // findObject
 void add_member_functions(Dialect &dialect); // count chooseMember
 
-// The type that a text names; where the city does not know it a warning with the closest name, and Invalid.
-TypeId find_type_or_warn(Vm &vm, const Value &text, std::string_view what);
 
 } // namespace pcg::agenda

@@ -25,8 +25,8 @@ template <typename Test> Value pick(Vm &vm, const std::vector<ObjectId> &objects
 }
 
 Value find_object(Vm &vm, const Args &args) {
-	const Context &context = context_of(vm);
-	const TypeId type = find_type_or_warn(vm, args[0], "object");
+	Context &context = context_of(vm);
+	const TypeId type = context.find_type(vm, *args[0].text, TypeUse::Object);
 	const std::vector<ObjectId> &objects = context.city().objects_of_type(type);
 	if (args.count() < 2) {
 		return pick(vm, objects, [&](ObjectId id) { return context.has_free_place(id); });

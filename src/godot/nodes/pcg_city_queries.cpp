@@ -1,0 +1,76 @@
+#include <limits>
+
+#include <godot_cpp/classes/project_settings.hpp>
+#include <godot_cpp/core/error_macros.hpp>
+
+#include "core/io/gltf.h"
+#include "godot/convert.h"
+#include "godot/nodes/pcg_city.h"
+#include "godot/ports/engine_files.h"
+#include "godot/report.h"
+
+using namespace godot;
+
+namespace pcg {
+
+Error PCGCity::save_gltf(const String &p_path) const {
+	ERR_FAIL_COND_V_MSG(!_state, ERR_UNCONFIGURED, "PCGCity: there is no city yet. Call generate() and wait for city_generated.");
+	Diagnostics diagnostics;
+	EngineFiles pictures;
+	write_glb(_state->city, from_godot(ProjectSettings::get_singleton()->globalize_path(p_path)), diagnostics, &pictures);
+	report(diagnostics);
+	return diagnostics.has_errors() ? ERR_FILE_CANT_WRITE : OK;
+}
+
+TypedArray<Dictionary> PCGCity::get_diagnostics() const { return to_godot(_diagnostics); }
+
+int PCGCity::get_building_count() const { return _state ? int(_state->city.model.buildings().size()) : 0; }
+
+Dictionary PCGCity::get_statistics() const {
+	Dictionary result;
+	if (!_state) {
+		return result;
+	}
+	const City &city = _state->city;
+	int64_t faces = 0;
+	for (const LotBuild &lot : city.lots) {
+		faces += int64_t(lot.model.face_count);
+	}
+	Dictionary entrances;
+	for (const Entrance &entrance : city.model.entrances()) {
+		const String type = to_godot(city.model.types.name(entrance.type));
+		entrances[type] = int64_t(entrances.get(type, 0)) + 1;
+	}
+	result["blocks"] = int64_t(city.layout.blocks.size());
+	result["lots"] = int64_t(city.layout.lots.size());
+	result["faces"] = faces;
+	result["buildings"] = int64_t(city.model.buildings().size());
+	result["entrances"] = entrances;
+	result["zones"] = int64_t(city.model.zones().size());
+	result["objects"] = int64_t(city.model.objects().size());
+	result["seconds"] = _seconds;
+	return result;
+}
+
+PackedVector3Array PCGCity::find_path(const Vector3 &p_from, const Vector3 &p_to) const {
+	ERR_FAIL_COND_V_MSG(!_state, PackedVector3Array(), "PCGCity: there is no city yet. Call generate() and wait for city_generated.");
+	const Transform3D frame = is_inside_tree() ? get_global_transform() : get_transform();
+	const Transform3D inverse = frame.affine_inverse();
+	const std::vector<glm::vec3> path = _state->paths->path(from_godot(inverse.xform(p_from)), from_godot(inverse.xform(p_to)));
+	PackedVector3Array points;
+	for (const glm::vec3 &point : path) {
+		points.push_back(frame.xform(to_godot(point)));
+	}
+	return points;
+}
+
+double PCGCity::get_distance(int p_building, int p_other) const {
+	constexpr double no_way = std::numeric_limits<double>::infinity(); // 0 would say that the buildings are one
+	ERR_FAIL_COND_V_MSG(!_state, no_way, "PCGCity: there is no city yet, so no distances. Call generate() and wait for city_generated.");
+	const int count = get_building_count();
+	ERR_FAIL_COND_V_MSG(p_building < 0 || p_building >= count || p_other < 0 || p_other >= count, no_way,
+			"PCGCity: buildings are numbered from 0 to get_building_count() - 1.");
+	return _state->paths->distance(BuildingId(p_building), BuildingId(p_other));
+}
+
+} // namespace pcg
