@@ -1,9 +1,16 @@
-// How fast agendas are written: the shipped weekday rules on 2,000 buildings, all distances known, one thread. Prints a JSON object for
-// each figure. The peer is an equivalent generator written by hand for LuaJIT: 595,000 agendas a second (209,000 in plain Lua).
+// How fast agendas are written: the shipped weekday rules on 2,000 buildings, all distances known. Prints a JSON object for each figure. The peer
+// is an equivalent generator written by hand for LuaJIT: 595,000 agendas a second (209,000 in plain Lua).
+//
+// `agenda_bench PERSONS` writes the agendas of so many persons once and prints how many there are: for counting instructions with callgrind, as
+// tools/run_bench.py does.
 
 #include <cmath>
+#include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
+#include <functional>
+#include <memory>
 #include <vector>
 
 #include "core/agenda/agenda_generator.h"
@@ -79,9 +86,43 @@ void print_figure(const char *name, double value, const char *unit, double peer,
 			is_more_better ? value / peer : peer / value);
 }
 
+double wall_seconds(const std::function<void()> &work) {
+	const auto start = std::chrono::steady_clock::now();
+	work();
+	return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Of one person, as the simulation keeps it.
+double bytes_of(const Population &population, const AgendaSet &agendas) {
+	double bytes = double(population.persons.size()) * (sizeof(Person) + 2 * sizeof(uint32_t)) + double(population.households.size() * sizeof(Household));
+	bytes += double(agendas.tasks.size() * sizeof(Task) + agendas.floating_tasks.size() * sizeof(FloatingTask));
+	for (const Group &group : agendas.groups) {
+		bytes += double(sizeof(Group) + group.joiners.size() * sizeof(PersonId));
+	}
+	return bytes / double(population.persons.size());
+}
+
+// Best of five, in processor time of one thread and in wall time of one and of two.
+struct Times {
+	double processor = 1e9, one_thread = 1e9, two_threads = 1e9;
+};
+
+Times measure(AgendaOptions options, const std::function<void(const AgendaOptions &)> &generate) {
+	Times times;
+	for (int i = 0; i < 5; ++i) {
+		options.work.threads = 1;
+		const std::clock_t start = std::clock();
+		times.one_thread = std::fmin(times.one_thread, wall_seconds([&] { generate(options); }));
+		times.processor = std::fmin(times.processor, seconds_since(start));
+		options.work.threads = 2;
+		times.two_threads = std::fmin(times.two_threads, wall_seconds([&] { generate(options); }));
+	}
+	return times;
+}
+
 } // namespace
 
-int main() {
+int main(int count, char **arguments) {
 	Diagnostics diagnostics;
 	const CityModel city = make_city();
 	const Result<HouseholdTable> table = read_household_table("rules/data/households_us_acs2023.csv");
@@ -90,33 +131,27 @@ int main() {
 		std::fprintf(stderr, "%s\nrun this in the folder that holds rules/\n", to_text(diagnostics).c_str());
 		return 1;
 	}
-	const KnownPaths paths(city);
+	std::unique_ptr<KnownPaths> paths;
+	const double learning_seconds = wall_seconds([&] { paths = std::make_unique<KnownPaths>(city); });
 	PopulationOptions people;
-	people.persons = 100'000;
+	people.persons = count > 1 ? uint32_t(std::strtoul(arguments[1], nullptr, 10)) : 100'000;
 	const std::clock_t population_start = std::clock();
 	const Population population = generate_population(*table, city, people, diagnostics);
 	const double population_seconds = seconds_since(population_start);
-
-	AgendaOptions options;
-	options.work.threads = 1;
-	double best = 1e9;
-	AgendaSet agendas;
-	for (int i = 0; i < 5; ++i) {
-		const std::clock_t start = std::clock();
-		agendas = generate_agendas(*program, city, paths, population, options, diagnostics);
-		best = std::fmin(best, seconds_since(start));
-	}
-	if (!diagnostics.is_empty()) {
-		std::fprintf(stderr, "%s\n", to_text(diagnostics).c_str());
-	}
 	const double persons = double(population.persons.size());
-	double bytes = persons * (sizeof(Person) + 2 * sizeof(uint32_t)) + double(population.households.size() * sizeof(Household));
-	bytes += double(agendas.tasks.size() * sizeof(Task) + agendas.floating_tasks.size() * sizeof(FloatingTask));
-	for (const Group &group : agendas.groups) {
-		bytes += double(sizeof(Group) + group.joiners.size() * sizeof(PersonId));
+	AgendaSet agendas;
+	const auto generate = [&](const AgendaOptions &options) { agendas = generate_agendas(*program, city, *paths, population, options, diagnostics); };
+	if (count > 1) {
+		generate({ .work = { .threads = 1 } });
+		std::printf("%.0f\n", persons);
+		return 0;
 	}
-	print_figure("agenda.generated_per_second", persons / best, "agendas/s/core", luajit_agendas_per_second, true);
-	print_figure("agenda.bytes_per_person", bytes / persons, "B", bar_bytes_per_person, false);
+	const Times times = measure({}, generate);
+	std::fputs(to_text(diagnostics).c_str(), stderr);
+	print_figure("agenda.generated_per_second", persons / times.processor, "agendas/s/core", luajit_agendas_per_second, true);
+	print_figure("agenda.two_threads", times.one_thread / times.two_threads, "x", 2.0, true);
+	print_figure("agenda.distances_learnt", learning_seconds, "s", 1.6, false);
+	print_figure("agenda.bytes_per_person", bytes_of(population, agendas), "B", bar_bytes_per_person, false);
 	print_figure("population.drawn_per_second", persons / population_seconds, "persons/s/core", luajit_agendas_per_second, true);
 	return 0;
 }

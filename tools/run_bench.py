@@ -8,8 +8,10 @@ A program prints one JSON object a figure: name, value, unit, peer (what it is c
 
 import argparse
 import json
+import shutil
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 from deps import ROOT
@@ -30,6 +32,21 @@ def figures_of(program):
     return figures
 
 
+def count_instructions(program, persons=20000, peer=7000):
+    """What one agenda costs in instructions, counted by callgrind: the same on every run, whatever else the machine does."""
+    if not shutil.which("valgrind"):
+        return []
+    with tempfile.TemporaryDirectory() as folder:
+        counts = Path(folder) / "counts"
+        done = subprocess.run(["valgrind", "--tool=callgrind", f"--callgrind-out-file={counts}", "--toggle-collect=pcg::generate_agendas*",
+                               program, str(persons)], cwd=ROOT, capture_output=True, text=True, check=False)
+        totals = [line.split()[1] for line in counts.read_text().splitlines() if line.startswith(("totals:", "summary:"))] if counts.exists() else []
+    if done.returncode != 0 or not totals:
+        raise ValueError(f"callgrind ended with status {done.returncode}\n{done.stderr}")
+    value = round(int(totals[-1]) / int(done.stdout.split()[-1]))
+    return [{"name": "agenda.instructions_per_person", "value": value, "unit": "instructions", "peer": peer, "ratio": round(peer / value, 3)}]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("names", nargs="*", metavar="NAME")
@@ -44,6 +61,8 @@ def main():
     for name in options.names or programs:
         try:
             found = figures_of(programs[name])
+            if name == "agenda_bench":
+                found += count_instructions(programs[name])
         except ValueError as error:
             print(f"bench: {error}", file=sys.stderr)
             return 1

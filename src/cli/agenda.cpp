@@ -6,6 +6,7 @@
 
 #include "cli/args.h"
 #include "cli/people.h"
+#include "cli/progress.h"
 #include "core/agenda/agenda_generator.h"
 #include "core/io/agenda_csv.h"
 #include "core/io/atomic_file.h"
@@ -58,20 +59,9 @@ Request read_request(Args &args) {
 	return request;
 }
 
-// Says how far it is once it has taken two seconds.
-std::function<void(size_t, size_t)> progress_printer() {
-	return [start = Clock::now(), last = Clock::now()](size_t done, size_t total) mutable {
-		const Clock::time_point now = Clock::now();
-		if (now - start > std::chrono::seconds(2) && now - last > std::chrono::milliseconds(500)) {
-			std::fprintf(stderr, "\ragendas: %zu %%", total > 0 ? 100 * done / total : 100);
-			last = now;
-		}
-	};
-}
-
 int finish(const Diagnostics &diagnostics) {
 	std::fputs(to_text(diagnostics).c_str(), stderr);
-	return diagnostics.has_errors() ? 1 : 0;
+	return diagnostics.has_errors() || was_cancelled() ? 1 : 0;
 }
 
 int write_people(const Request &request, const CityFile &city, const PopulationFile &people, Diagnostics &diagnostics) {
@@ -92,12 +82,12 @@ int generate(const Request &request) {
 	const StraightLinePaths paths(city->city);
 	AgendaOptions options;
 	options.seed = request.seed;
-	options.work.threads = request.threads;
-	options.work.progress = progress_printer();
+	options.work = long_work("agendas", request.threads);
 	const Clock::time_point start = Clock::now();
 	const AgendaSet agendas = generate_agendas(*program, city->city, paths, people.population, options, diagnostics);
 	const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-	if (agendas.tasks.empty() && diagnostics.has_errors()) {
+	end_progress();
+	if (was_cancelled() || (agendas.tasks.empty() && diagnostics.has_errors())) {
 		return finish(diagnostics);
 	}
 	const bool has_numbers = request.has_file_numbers();
@@ -105,7 +95,7 @@ int generate(const Request &request) {
 	if (request.out.empty()) {
 		std::fputs(agendas_to_csv(agendas, people.population, *program, ids, request.weekday).c_str(), stdout);
 	} else if (write_agendas(request.out, agendas, people.population, *program, ids, request.weekday, diagnostics)) {
-		std::fprintf(stderr, "%s%zu persons in %zu households, %zu entries in %.2f s: %s\n", seconds > 2.0 ? "\n" : "",
+		std::fprintf(stderr, "%zu persons in %zu households, %zu entries in %.2f s: %s\n",
 				people.population.persons.size(), people.population.households.size(), agendas.tasks.size(), seconds, request.out.c_str());
 	}
 	return write_people(request, *city, people, diagnostics);

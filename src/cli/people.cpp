@@ -1,5 +1,6 @@
 #include "cli/people.h"
 
+#include "cli/progress.h"
 #include "core/io/household_csv.h"
 #include "core/population/population_generator.h"
 
@@ -7,8 +8,8 @@ namespace pcg::cli {
 
 namespace {
 
-// Twice the largest city there is; a person takes some 100 bytes and an agenda several hundred.
-constexpr int64_t most_persons = 20'000'000;
+// More than any city has; a person and its agenda take some 150 bytes.
+constexpr int64_t most_persons = 100'000'000;
 
 } // namespace
 
@@ -55,13 +56,15 @@ bool make_people(const PeopleRequest &request, const CityFile &city, PopulationF
 	PopulationOptions options;
 	options.seed = request.seed;
 	options.persons = request.persons;
+	options.work = long_work("persons");
 	Diagnostics found;
 	people.population = generate_population(*table, city.city, options, found);
+	end_progress();
 	for (Diagnostic diagnostic : found.list()) {
 		diagnostic.file = diagnostic.file.empty() ? (diagnostic.id == "no-homes" ? request.city : request.households) : diagnostic.file;
 		diagnostics.add(std::move(diagnostic));
 	}
-	return !diagnostics.has_errors();
+	return !diagnostics.has_errors() && !was_cancelled();
 }
 
 } // namespace pcg::cli

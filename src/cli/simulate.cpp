@@ -6,6 +6,7 @@
 
 #include "cli/args.h"
 #include "cli/people.h"
+#include "cli/progress.h"
 #include "core/agenda/agenda_generator.h"
 #include "core/io/atomic_file.h"
 #include "core/io/png.h"
@@ -98,10 +99,11 @@ bool load_world(const Request &request, World &world, Diagnostics &diagnostics) 
 	world.paths = std::make_unique<StraightLinePaths>(world.city->city);
 	AgendaOptions options;
 	options.seed = request.seed;
-	options.work.threads = request.threads;
+	options.work = long_work("agendas", request.threads);
 	world.agendas = generate_agendas(
 			*world.program, world.city->city, *world.paths, world.people.population, options, diagnostics);
-	return !world.agendas.tasks.empty() || !diagnostics.has_errors();
+	end_progress();
+	return !was_cancelled() && (!world.agendas.tasks.empty() || !diagnostics.has_errors());
 }
 
 FileNumbers numbers_of(const Request &request, const World &world) {
@@ -127,7 +129,7 @@ double live(const Request &request, Simulation &simulation, InvariantChecker &ch
 	if (request.jump) {
 		timed([&] { simulation.jump_to(SimTime{ request.jump->ms }); });
 	}
-	while (simulation.now() < end) {
+	while (simulation.now() < end && !was_cancelled()) {
 		timed([&] { simulation.advance_to(std::min(simulation.now() + step, end)); });
 		if (Clock::now() - last_told > std::chrono::seconds(2)) {
 			last_told = Clock::now();
@@ -232,6 +234,9 @@ int simulate(const Request &request) {
 	Observers observers(request, world, simulation);
 	InvariantChecker checker(simulation);
 	const double seconds = live(request, simulation, checker);
+	if (was_cancelled()) {
+		return finish(diagnostics, false);
+	}
 	for (const std::string &example : checker.examples()) {
 		std::fprintf(stderr, "broken promise: %s\n", example.c_str());
 	}

@@ -2,8 +2,10 @@
 
 import json
 import resource
+import signal
 import subprocess
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -56,7 +58,7 @@ class CommandLine(unittest.TestCase):
     def test_numbers_that_are_none_are_told(self):
         self.assertIn("nan", self.refused("derive", "house.cga", "--attr", "height=nan"))
         self.assertIn("inf", self.refused("derive", "house.cga", "--attr", "height=inf"))
-        self.assertIn("--persons", self.refused("agenda", "d.pcg", "--city", "c", "--households", "h", "--persons", "99999999"))
+        self.assertIn("--persons", self.refused("agenda", "d.pcg", "--city", "c", "--households", "h", "--persons", "100000001"))
 
     def test_an_unknown_attribute_is_a_warning(self):
         told = self.pcg("derive", "house.cga", "--attr", "nothing=1")
@@ -101,6 +103,42 @@ class CommandLine(unittest.TestCase):
         lines = {diagnostic["line"] for diagnostic in json.loads(told.stdout)["diagnostics"]}
         self.assertTrue({1, 2, 3} <= lines, lines)
         self.assertEqual(self.pcg("check", "house.cga").returncode, 0)
+
+    def write_town(self, capacity=4):
+        (self.folder / "day.pcg").write_text('@StartRule\nHousehold --> members { true: stayInside(0h, 24h, home) goToBuilding(8h, 9h, findBuilding("shop")) }\n')
+        (self.folder / "table.csv").write_text('descriptor,count\nOne adult woman with two minor children,5\n"Two adults, no minors",3\n')
+        entrances = [{"id": i, "entrances": [{"type": "house", "position": [i, 0, 0], "capacity": capacity}]} for i in range(10)]
+        shop = {"id": 77, "entrances": [{"type": "shop", "position": [500, 0, 0]}]}
+        (self.folder / "city.json").write_text(json.dumps({"buildings": entrances + [shop]}))
+        return ("agenda", "day.pcg", "--city", "city.json", "--households", "table.csv", "--persons")
+
+    def test_agendas_are_a_table_and_people_that_were_saved_come_back(self):
+        agenda = self.write_town()
+        told = self.pcg(*agenda, "20", "--seed", "3", "--out", "agendas.csv", "--save-population", "people.csv", "--day", "sat")
+        self.assertEqual(told.returncode, 0, told.stderr)
+        rows = [line.split(",") for line in (self.folder / "agendas.csv").read_text().splitlines()]
+        self.assertEqual(rows[0], ["household", "person", "age", "gender", "day", "start", "end", "kind", "target", "detail"])
+        self.assertEqual({row[4] for row in rows[1:]}, {"sat"})
+        self.assertIn(["28800", "32400", "goToBuilding", "77"], [row[5:9] for row in rows])
+        told = self.pcg("agenda", "day.pcg", "--city", "city.json", "--population", "people.csv", "--seed", "3", "--out", "again.csv", "--day", "sat")
+        self.assertEqual(told.returncode, 0, told.stderr)
+        self.assertEqual((self.folder / "again.csv").read_text(), (self.folder / "agendas.csv").read_text())
+
+    def test_more_people_than_homes_are_counted(self):
+        told = self.pcg(*self.write_town(), "100000000", "--out", "agendas.csv")
+        self.assertEqual(told.returncode, 0, told.stderr)
+        self.assertIn("100000000 persons, but the homes of the city take 40", told.stderr)
+
+    def test_interrupt_cancels_and_writes_nothing(self):
+        agenda = self.write_town(capacity=1000000)
+        before = {path.name for path in self.folder.iterdir()}
+        with subprocess.Popen([PCG, *agenda, "9000000", "--out", "agendas.csv"], cwd=self.folder, stderr=subprocess.PIPE, text=True) as process:
+            time.sleep(0.5)
+            process.send_signal(signal.SIGINT)
+            told = process.communicate(timeout=60)[1]
+        self.assertEqual(process.returncode, 1, told)
+        self.assertIn("cancelled", told)
+        self.assertEqual(before, {path.name for path in self.folder.iterdir()})
 
 
 if __name__ == "__main__":

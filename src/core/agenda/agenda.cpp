@@ -9,12 +9,6 @@ namespace {
 
 constexpr int32_t day_ms = int32_t(one_day.ms);
 
-// The mask `shift` days later; the week is a circle.
-DayMask rotate_days(DayMask days, int64_t shift) {
-	const int by = int(((shift % 7) + 7) % 7);
-	return DayMask(((days << by) | (days >> (7 - by))) & all_days);
-}
-
 // A span of time relative to 0h of one day.
 struct Span {
 	int32_t start;
@@ -56,23 +50,10 @@ bool comes_before(const Task &a, const Task &b) {
 	return a.start_ms != b.start_ms ? a.start_ms < b.start_ms : a.days < b.days;
 }
 
-// Brings the start into [0, 24 h), moving the days along.
-void normalize(Task &task) {
-	if (task.start_ms >= 0 && task.start_ms < day_ms) {
-		return;
-	}
-	int32_t shift = task.start_ms / day_ms;
-	if (task.start_ms % day_ms < 0) {
-		--shift;
-	}
-	task.start_ms -= shift * day_ms;
-	task.end_ms -= shift * day_ms;
-	task.days = rotate_days(task.days, shift);
-}
-
 bool is_same_but_for_days(const Task &a, const Task &b) {
 	return a.start_ms == b.start_ms && a.end_ms == b.end_ms && a.kind == b.kind && a.target == b.target &&
-			a.origin == b.origin && a.is_start_cut == b.is_start_cut;
+			a.origin == b.origin && a.is_start_cut == b.is_start_cut && a.name == b.name && a.requirement == b.requirement &&
+			a.days_later == b.days_later;
 }
 
 // Pieces that differ by their days only become one entry again.
@@ -132,13 +113,21 @@ void keep_remains(std::vector<Task> &kept, const Task &old, const Task &newest) 
 			piece.end_ms = span.end;
 			piece.days = days;
 			piece.is_start_cut = old.is_start_cut || span.start != old.start_ms;
-			normalize(piece);
-			add_piece(kept, piece);
+			add_piece(kept, normalized(piece));
 		}
 	}
 }
 
+bool is_same_every_day(const Task &task) { return task.days == all_days && task.end_ms <= day_ms; }
+
 } // namespace
+
+Agenda::Agenda(std::span<const Task> tasks) : _tasks(tasks.begin(), tasks.end()) {
+	for (const Task &task : tasks) {
+		_generation = std::max(_generation, task.generation);
+		_is_same_every_day = _is_same_every_day && is_same_every_day(task);
+	}
+}
 
 bool Agenda::insert(Task task) {
 	task.days &= all_days;
@@ -146,11 +135,53 @@ bool Agenda::insert(Task task) {
 	if (task.days == 0 || length <= 0 || length > one_day.ms) {
 		return false;
 	}
-	normalize(task);
+	task = normalized(task);
 	if (_generation < UINT16_MAX) {
 		++_generation;
 	}
 	task.generation = _generation;
+	_is_same_every_day = _is_same_every_day && is_same_every_day(task);
+	if (_is_same_every_day) {
+		insert_same_every_day(task);
+	} else {
+		insert_day_by_day(task);
+	}
+	return true;
+}
+
+// The usual case: entries are spans of one day, so those that overlap the new one lie side by side.
+void Agenda::insert_same_every_day(const Task &task) {
+	size_t first = 0;
+	while (first < _tasks.size() && _tasks[first].end_ms <= task.start_ms) {
+		++first;
+	}
+	size_t last = first;
+	while (last < _tasks.size() && _tasks[last].start_ms < task.end_ms) {
+		++last;
+	}
+	std::array<Task, 3> pieces;
+	size_t count = 0;
+	if (first < last && _tasks[first].start_ms < task.start_ms) {
+		pieces[count] = _tasks[first];
+		pieces[count++].end_ms = task.start_ms;
+	}
+	pieces[count++] = task;
+	if (first < last && _tasks[last - 1].end_ms > task.end_ms) {
+		pieces[count] = _tasks[last - 1];
+		pieces[count].is_start_cut = true;
+		pieces[count++].start_ms = task.end_ms;
+	}
+	const size_t replaced = last - first;
+	const auto place = _tasks.begin() + ptrdiff_t(first);
+	if (replaced > count) {
+		_tasks.erase(place + ptrdiff_t(count), place + ptrdiff_t(replaced));
+	} else if (count > replaced) {
+		_tasks.insert(place + ptrdiff_t(replaced), count - replaced, task);
+	}
+	std::copy_n(pieces.begin(), count, _tasks.begin() + ptrdiff_t(first));
+}
+
+void Agenda::insert_day_by_day(const Task &task) {
 	_scratch.clear();
 	for (const Task &old : _tasks) {
 		keep_remains(_scratch, old, task);
@@ -158,12 +189,22 @@ bool Agenda::insert(Task task) {
 	add_piece(_scratch, task);
 	_tasks.swap(_scratch);
 	std::sort(_tasks.begin(), _tasks.end(), comes_before);
-	return true;
+}
+
+void Agenda::remove(size_t index, DayMask days) {
+	_is_same_every_day = false;
+	_tasks[index].days &= DayMask(~days);
+	if (_tasks[index].days == 0) {
+		_tasks.erase(_tasks.begin() + ptrdiff_t(index));
+	} else {
+		std::sort(_tasks.begin(), _tasks.end(), comes_before);
+	}
 }
 
 void Agenda::clear() {
 	_tasks.clear();
 	_generation = 0;
+	_is_same_every_day = true;
 }
 
 const Task *Agenda::at(int weekday, Duration time_of_day) const {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "core/agenda/task.h"
@@ -14,20 +15,30 @@ namespace pcg {
 // Works on one person's tasks while they are written. Kept sorted by (start, days).
 class Agenda {
 public:
+	Agenda() = default;
+	// Goes on where another one ended: `tasks` as tasks() gave them.
+	explicit Agenda(std::span<const Task> tasks);
+
 	// Inserts `task` whole. What it overlaps is split in two, trimmed or dropped, on the days of its mask only, the days before and after
 	// included where one of both runs past midnight. A start outside [0, 24 h) is moved with its days (PCG language, section 5); the week
 	// is a circle. False, and nothing changes: end <= start, no days, or longer than 24 h. Pieces of one entry that end up equal on
 	// different days are one entry.
 	bool insert(Task task);
+	// Takes the entry of this index out on these days.
+	void remove(size_t index, DayMask days);
 	void clear();
 	const std::vector<Task> &tasks() const { return _tasks; }
 	// The task that holds at this time of that week day, one that began the day before included; null in a hole.
 	const Task *at(int weekday, Duration time_of_day) const;
 
 private:
+	void insert_same_every_day(const Task &task);
+	void insert_day_by_day(const Task &task);
+
 	std::vector<Task> _tasks;
 	std::vector<Task> _scratch; // kept between insertions, so that they do not allocate
 	uint16_t _generation = 0; // stays at its largest value once that is reached
+	bool _is_same_every_day = true; // all entries are of all days and end by midnight
 };
 
 // A task without a time, waiting for a floating slot (paper, "Floating tasks").
@@ -55,17 +66,35 @@ struct TaskOrigin {
 	uint32_t line = 0;
 };
 
+// What has to be lived for an entry to make sense; see requirement.h.
+struct Requirement {
+	uint16_t name = 0; // of the required entry, in AgendaSet::names
+	bool is_after = false; // it has to be over before
+	uint8_t outer = 0; // one more that has to hold, in AgendaSet::requirements; 0: none
+	friend bool operator==(const Requirement &, const Requirement &) = default;
+};
+
 // Agendas of a whole population, one behind the other.
 struct AgendaSet {
-	std::vector<Task> tasks;
+	std::vector<Task> tasks; // as generated
 	std::vector<uint32_t> first_task; // person_count + 1 offsets
 	std::vector<FloatingTask> floating_tasks;
 	std::vector<uint32_t> first_floating_task; // person_count + 1 offsets
 	std::vector<Group> groups; // Task::target of Accompany
 	std::vector<TaskOrigin> origins;
+	std::vector<std::string> names; // of entries, for requirements; the first is empty. Empty if no rule names any
+	std::vector<Requirement> requirements; // the first means none. Empty if no rule has any
+	std::unordered_map<uint32_t, std::vector<Task>> changed; // by person: agendas that were changed afterwards (agenda_edit.h)
 
+	// Holds until that person's agenda is changed.
 	std::span<const Task> tasks_of(PersonId id) const {
 		const uint32_t i = index_of(id);
+		if (!changed.empty()) [[unlikely]] {
+			const auto found = changed.find(i);
+			if (found != changed.end()) {
+				return found->second;
+			}
+		}
 		return { tasks.data() + first_task[i], first_task[i + 1] - first_task[i] };
 	}
 	std::span<const FloatingTask> floating_tasks_of(PersonId id) const {

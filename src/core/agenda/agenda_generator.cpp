@@ -4,6 +4,7 @@
 #include <iterator>
 #include <tuple>
 
+#include "core/agenda/agenda_edit.h"
 #include "core/agenda/generation_context.h"
 
 namespace pcg {
@@ -22,6 +23,8 @@ struct Batch {
 	std::vector<FloatingTask> floating_tasks;
 	std::vector<uint32_t> floating_counts;
 	std::vector<Group> groups;
+	std::vector<std::string> names;
+	std::vector<Requirement> requirements;
 	std::vector<Diagnostic> diagnostics;
 };
 
@@ -49,6 +52,7 @@ public:
 		set.tasks.reserve(task_count);
 		std::vector<Told> told;
 		for (Batch &batch : _batches) {
+			number_names(set, batch);
 			append(set, batch);
 			add_diagnostics(batch, told);
 			batch = {};
@@ -79,8 +83,11 @@ private:
 		const size_t end = std::min(first + households_per_batch, _population.households.size());
 		for (size_t i = first; i < end; ++i) {
 			run_household(vm, context, HouseholdId(uint32_t(i)));
+			context.drop_unmet_tasks();
 			keep(batch, context);
 		}
+		batch.names = context.names();
+		batch.requirements = context.requirements();
 		batch.diagnostics = std::move(context.diagnostics());
 	}
 
@@ -117,6 +124,27 @@ private:
 		batch.groups.insert(batch.groups.end(), context.groups().begin(), context.groups().end());
 	}
 
+	// Batches count names and requirements by themselves.
+	static void number_names(AgendaSet &set, Batch &batch) {
+		if (batch.names.size() == 1 && batch.requirements.size() == 1) {
+			return;
+		}
+		std::vector<uint16_t> name_of;
+		std::vector<uint8_t> requirement_of;
+		for (const std::string &name : batch.names) {
+			name_of.push_back(task_name(set, name));
+		}
+		for (Requirement requirement : batch.requirements) {
+			requirement.name = name_of[requirement.name];
+			requirement.outer = requirement.outer != 0 ? requirement_of[requirement.outer] : uint8_t(0);
+			requirement_of.push_back(task_requirement(set, requirement));
+		}
+		for (Task &task : batch.tasks) {
+			task.name = name_of[task.name];
+			task.requirement = requirement_of[task.requirement];
+		}
+	}
+
 	static void append(AgendaSet &set, Batch &batch) {
 		const uint32_t first_group = uint32_t(set.groups.size());
 		for (Task &task : batch.tasks) {
@@ -146,7 +174,9 @@ private:
 
 	static void tell(std::vector<Told> &told, Diagnostics &diagnostics) {
 		for (Told &one : told) {
-			if (one.repeats > 0 && one.first.severity == Severity::Error) {
+			// Of a warning an interpreter tells only the first; these two are all told.
+			const bool is_counted = one.first.severity == Severity::Error || one.first.id == "requirement-unmet";
+			if (one.repeats > 0 && is_counted) {
 				one.first.message += ", and the same " + std::to_string(one.repeats) + (one.repeats == 1 ? " time more" : " times more");
 			}
 			diagnostics.add(std::move(one.first));

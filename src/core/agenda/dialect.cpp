@@ -22,6 +22,7 @@ Dialect make_dialect() {
 
 	add_members(dialect);
 	add_days(dialect);
+	add_task_names(dialect);
 	add_stay_inside(dialect);
 	add_go_to_building(dialect);
 	add_accompany(dialect);

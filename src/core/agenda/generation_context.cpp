@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "core/lang/diagnostic_at.h"
+
 namespace pcg::agenda {
 
 namespace {
@@ -13,6 +15,16 @@ constexpr double day_seconds = 86'400.0;
 constexpr double week_seconds = 7.0 * day_seconds;
 constexpr size_t max_entries = 4096; // of one person; real days have a few dozen
 constexpr size_t max_floating_tasks = 4096;
+constexpr size_t max_names = 1000; // of entries, for all households that one thread takes at a time; rules have a handful
+
+void fail_names(Vm &vm, std::string_view name) {
+	if (name.empty()) {
+		vm.fail("empty-name", "the name of an entry is empty", "write what it is for, such as task(\"bring\") { .. }");
+	} else {
+		vm.fail("too-many-names", "the rules name more than " + std::to_string(max_names) + " different entries, or require more than " + std::to_string(max_task_requirements),
+				"give entries that mean the same the same name, whoever they belong to");
+	}
+}
 
 // Warns of times that cannot hold; an entry of more than a day is cut. False: nothing is to be inserted.
 bool check_times(Vm &vm, std::string_view operation, double start, double &end) {
@@ -49,12 +61,16 @@ void GenerationContext::begin_household(HouseholdId id, DayMask days) {
 		_members[i].floating.clear();
 	}
 	_groups.clear();
+	_named_tasks.clear();
+	_has_requirements = false;
 	begin_days(days);
 }
 
 void GenerationContext::begin_days(DayMask days) {
 	set_focus(PersonId::Invalid);
 	_days = days;
+	_entry_name = 0;
+	_requirement = 0;
 	_wants_single_days = false;
 }
 
@@ -77,7 +93,12 @@ Flow GenerationContext::insert(Vm &vm, std::string_view operation, TaskKind kind
 
 bool GenerationContext::insert_task(Vm &vm, PersonId member, Task task) {
 	Agenda &agenda = agenda_of(member);
-	agenda.insert(task);
+	task.name = _entry_name;
+	task.requirement = _requirement;
+	_has_requirements = _has_requirements || _requirement != 0;
+	if (agenda.insert(task) && task.name != 0) {
+		_named_tasks.push_back({ member, normalized(task) });
+	}
 	if (agenda.tasks().size() <= max_entries) {
 		return true;
 	}
@@ -99,6 +120,46 @@ void GenerationContext::add_floating_task(Vm &vm, FloatingTask task) {
 uint32_t GenerationContext::add_group(Group group) {
 	_groups.push_back(std::move(group));
 	return uint32_t(_groups.size() - 1);
+}
+
+uint16_t GenerationContext::number_of(Vm &vm, std::string_view name) {
+	const uint16_t number = number_in(_names, std::string(name), max_names);
+	if (number == 0) {
+		fail_names(vm, name);
+	}
+	return number;
+}
+
+uint8_t GenerationContext::number_of(Vm &vm, const Requirement &requirement) {
+	const uint8_t number = uint8_t(number_in(_requirements, requirement, max_task_requirements));
+	if (number == 0) {
+		fail_names(vm, _names[requirement.name]);
+	}
+	return number;
+}
+
+void GenerationContext::drop_unmet_tasks() {
+	if (!_has_requirements) {
+		return;
+	}
+	std::vector<Agenda *> agendas;
+	for (size_t i = 0; i < member_count(); ++i) {
+		agendas.push_back(&_members[i].agenda);
+	}
+	for (const DroppedTask &dropped : drop_unmet({ household().first_member, agendas, _groups }, _named_tasks, _requirements)) {
+		report_dropped(dropped);
+	}
+}
+
+void GenerationContext::report_dropped(const DroppedTask &dropped) {
+	const std::string name = "'" + _names[dropped.name] + "'";
+	const std::string reason = dropped.reason == Unmet::Lost ? "newer entries took " + name + " away"
+			: dropped.reason == Unmet::NotOver				  ? name + " is not over by then"
+															  : "nobody there has " + name;
+	report(diagnostic_at(*world().program, dropped.task.origin, Severity::Warning, "requirement-unmet",
+			"person " + std::to_string(index_of(dropped.person)) + " drops '" + std::string(task_kind_name(dropped.task.kind)) + "' at " +
+					clock_text(dropped.task.start(), false) + " (" + days_text(dropped.task.days) + "): " + reason,
+			"what is written later wins: write the entry that is required last, or at another time"));
 }
 
 Value GenerationContext::day(Vm &vm) {

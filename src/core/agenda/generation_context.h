@@ -1,9 +1,11 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/agenda/agenda.h"
 #include "core/agenda/context.h"
+#include "core/agenda/requirement.h"
 
 namespace pcg::agenda {
 
@@ -21,6 +23,19 @@ public:
 
 	DayMask days() const { return _days; }
 	void set_days(DayMask days) { _days = days; }
+	// What entries are written with: the name that they get, and what they require; numbers as in names() and requirements().
+	uint16_t entry_name() const { return _entry_name; }
+	void set_entry_name(uint16_t name) { _entry_name = name; }
+	uint8_t requirement() const { return _requirement; }
+	void set_requirement(uint8_t requirement) { _requirement = requirement; }
+	// The number of a name or a requirement, which may be new; 0 and a failed run if there are too many. They are kept between households.
+	uint16_t number_of(Vm &vm, std::string_view name);
+	uint8_t number_of(Vm &vm, const Requirement &requirement);
+	const std::vector<std::string> &names() const { return _names; }
+	const std::vector<Requirement> &requirements() const { return _requirements; }
+	// Takes out what requires entries that newer ones took away, and reports it.
+	void drop_unmet_tasks();
+
 	Agenda &agenda_of(PersonId member) { return _members[index_in_household(member)].agenda; }
 	const std::vector<FloatingTask> &floating_tasks_of(PersonId member) const { return _members[index_in_household(member)].floating; }
 	const std::vector<Group> &groups() const { return _groups; }
@@ -48,12 +63,19 @@ private:
 		std::vector<FloatingTask> floating;
 	};
 
+	void report_dropped(const DroppedTask &dropped);
 	size_t index_in_household(PersonId member) const { return index_of(member) - index_of(household().first_member); }
 
 	std::vector<Member> _members; // at least as many as the household has
 	std::vector<Group> _groups;
 	std::vector<Diagnostic> _diagnostics;
+	std::vector<std::string> _names{ "" };
+	std::vector<Requirement> _requirements{ {} };
+	std::vector<NamedTask> _named_tasks; // of this household, as written
 	DayMask _days = all_days;
+	uint16_t _entry_name = 0;
+	uint8_t _requirement = 0;
+	bool _has_requirements = false; // an entry of this household has
 	bool _wants_single_days = false;
 };
 

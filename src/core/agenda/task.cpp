@@ -1,6 +1,42 @@
 #include "core/agenda/task.h"
 
+#include <array>
+
 namespace pcg {
+
+DayMask rotate_days(DayMask days, int64_t shift) {
+	const int by = int(((shift % 7) + 7) % 7);
+	return DayMask(((days << by) | (days >> (7 - by))) & all_days);
+}
+
+Task normalized(Task task) {
+	constexpr int32_t day_ms = int32_t(one_day.ms);
+	if (task.start_ms >= 0 && task.start_ms < day_ms) {
+		return task;
+	}
+	const int32_t shift = task.start_ms / day_ms - (task.start_ms % day_ms < 0 ? 1 : 0);
+	task.start_ms -= shift * day_ms;
+	task.end_ms -= shift * day_ms;
+	task.days = rotate_days(task.days, shift);
+	if (task.name != 0 || task.requirement != 0) {
+		task.days_later = uint16_t(((task.days_later + shift) % 7 + 7) % 7);
+	}
+	return task;
+}
+
+std::string days_text(DayMask days) {
+	constexpr std::array<std::string_view, 7> names{ "mon", "tue", "wed", "thu", "fri", "sat", "sun" };
+	if (days == all_days) {
+		return "every day";
+	}
+	std::string text;
+	for (size_t day = 0; day < names.size(); ++day) {
+		if ((days >> day) & 1) {
+			text += (text.empty() ? "" : ", ") + std::string(names[day]);
+		}
+	}
+	return text;
+}
 
 std::string_view task_kind_name(TaskKind kind) {
 	switch (kind) {

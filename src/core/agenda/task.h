@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "core/base/ids.h"
@@ -25,14 +27,24 @@ struct Task {
 	uint16_t generation = 0; // counts insertions of this agenda: the larger is the newer
 	TaskKind kind = TaskKind::StayInside;
 	DayMask days = all_days;
+	uint16_t name : 13 = 0; // index in AgendaSet::names; 0: none
+	uint16_t days_later : 3 = 0; // that it starts after the day it was written for, modulo 7; kept of entries with a name or a requirement
+	uint8_t requirement = 0; // index in AgendaSet::requirements; 0: none
 	bool is_start_cut = false; // a newer entry took its beginning away: `start` is not a time that a rule wrote
-	uint8_t reserved[3] = {};
 
 	Duration start() const { return { start_ms }; }
 	Duration end() const { return { end_ms }; }
 };
+constexpr size_t max_task_names = 1 << 13;
+constexpr size_t max_task_requirements = 1 << 8;
 static_assert(sizeof(Task) == 24);
 
+// With the start brought into [0, 24 h) and the days moved along; the week is a circle.
+Task normalized(Task task);
+// The mask `shift` days later.
+DayMask rotate_days(DayMask days, int64_t shift);
+// "mon, tue, sun"; "every day".
+std::string days_text(DayMask days);
 // "stayInside", "goToBuilding", .. as in the rule files.
 std::string_view task_kind_name(TaskKind kind);
 

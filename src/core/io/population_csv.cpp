@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/base/diagnostic.h"
 #include "core/base/random.h"
 #include "core/io/csv.h"
 #include "core/population/names.h"
@@ -16,7 +17,13 @@ namespace {
 constexpr std::array<std::string_view, 6> columns{ "household", "person", "home", "age", "gender", "speed" };
 enum Column : size_t { HouseholdColumn, PersonColumn, HomeColumn, AgeColumn, GenderColumn, SpeedColumn };
 
-constexpr uint64_t looks_seed = hash_text("looks"); // names and colors are not in the table: they follow from the ids
+// How people look and what they are called: what a table does not tell follows from the ids.
+constexpr std::array<std::string_view, 4> look_columns{ "first_name", "family_name", "hair", "clothes" };
+enum LookColumn : size_t { FirstNameColumn, FamilyNameColumn, HairColumn, ClothesColumn };
+constexpr uint64_t looks_seed = hash_text("looks");
+
+std::string_view name_of(std::string_view name) { return name; }
+std::string_view name_of(const NamedColor &color) { return color.name; }
 
 struct Row {
 	const CsvRow *csv = nullptr;
@@ -37,6 +44,9 @@ public:
 						"the first line has to name the columns: household,person,home,age,gender,speed");
 			}
 			_column[i] = size_t(column);
+		}
+		for (size_t i = 0; i < look_columns.size(); ++i) {
+			_look_column[i] = _csv.find_column(look_columns[i]);
 		}
 		for (const CsvRow &csv : _csv.rows) {
 			Row row;
@@ -90,6 +100,40 @@ private:
 		return join_household(row, household);
 	}
 
+	// The place in the list of what the table says; as it was where it says nothing.
+	template <typename List, typename Index> bool look(const CsvRow &row, LookColumn column, const List &list, Index &index) {
+		if (_look_column[column] < 0 || row.fields[size_t(_look_column[column])].text.empty()) {
+			return true;
+		}
+		const std::string &text = row.fields[size_t(_look_column[column])].text;
+		std::vector<std::string_view> known;
+		for (size_t i = 0; i < list.size(); ++i) {
+			known.push_back(name_of(list[i]));
+			if (known.back() == text) {
+				index = Index(i);
+				return true;
+			}
+		}
+		const std::string_view closest = closest_name(text, known);
+		_problem = _csv.at(row, size_t(_look_column[column]), "unknown-look", "there is no " + std::string(look_columns[column]) + " '" + text + "'",
+				closest.empty() ? "leave the column empty, or write " + std::string(known.front()) : "did you mean '" + std::string(closest) + "'?");
+		return false;
+	}
+
+	// Of the whole household: all members that tell it tell the same. `told` is what those before said.
+	template <typename List, typename Index>
+	bool shared_look(const CsvRow &row, LookColumn column, const List &list, Index &index, std::string &told) {
+		const std::string text = _look_column[column] < 0 ? std::string() : row.fields[size_t(_look_column[column])].text;
+		if (!text.empty() && !told.empty() && text != told) {
+			_problem = _csv.at(row, size_t(_look_column[column]), "two-looks",
+					"another member of the household has the " + std::string(look_columns[column]) + " '" + told + "'",
+					"write the same for all members, or leave it empty");
+			return false;
+		}
+		told = text.empty() ? told : text;
+		return look(row, column, list, index);
+	}
+
 	bool join_household(Row &row, int64_t number) {
 		if (_result.household_ids.index_of(number) == index_of(HouseholdId::Invalid)) {
 			_result.household_ids.add(number);
@@ -118,7 +162,12 @@ private:
 			household.member_count = uint16_t(members.size());
 			household.family_name = uint16_t(looks.index(family_names().size()));
 			household.hair_color = uint8_t(looks.index(hair_colors().size()));
+			std::string family, hair;
 			for (const Row &row : members) {
+				if (!shared_look(*row.csv, FamilyNameColumn, family_names(), household.family_name, family) ||
+						!shared_look(*row.csv, HairColumn, hair_colors(), household.hair_color, hair)) {
+					return _problem;
+				}
 				if (!_result.person_ids.add(row.person)) {
 					fail(row, PersonColumn, "repeated-person", "person " + std::to_string(row.person) + " stands in the table twice",
 							"every person needs a number of its own");
@@ -128,6 +177,10 @@ private:
 				person.household = HouseholdId(uint32_t(population.households.size()));
 				person.name = uint32_t(looks.index(first_names(person.gender).size()));
 				person.clothes_color = uint8_t(looks.index(clothes_colors().size()));
+				if (!look(*row.csv, FirstNameColumn, first_names(person.gender), person.name) ||
+						!look(*row.csv, ClothesColumn, clothes_colors(), person.clothes_color)) {
+					return _problem;
+				}
 				population.persons.push_back(person);
 			}
 			population.households.push_back(household);
@@ -138,6 +191,7 @@ private:
 	const CsvTable &_csv;
 	const FileIds &_buildings;
 	std::array<size_t, columns.size()> _column{};
+	std::array<int, look_columns.size()> _look_column{}; // -1: not in the table
 	Diagnostic _problem;
 	PopulationFile _result;
 	std::vector<std::vector<Row>> _members; // by dense household
@@ -162,15 +216,22 @@ Result<PopulationFile> read_population(const std::string &path, const FileIds &b
 }
 
 std::string population_to_csv(const Population &population, const FileIds *building_ids) {
-	std::string text = "household,person,home,age,gender,speed\n";
+	std::string text = "household,person,home,age,gender,speed,first_name,family_name,hair,clothes\n";
 	for (size_t i = 0; i < population.persons.size(); ++i) {
 		const Person &person = population.persons[i];
-		const uint32_t home = index_of(population.household(person.household).home);
+		const Household &household = population.household(person.household);
+		const uint32_t home = index_of(household.home);
 		const long long home_number = building_ids != nullptr ? (long long)(building_ids->number_of(home)) : (long long)(home);
 		char row[160];
-		std::snprintf(row, sizeof(row), "%u,%zu,%lld,%.9g,%c,%.9g\n", index_of(person.household), i, home_number, double(person.age),
+		std::snprintf(row, sizeof(row), "%u,%zu,%lld,%.9g,%c,%.9g", index_of(person.household), i, home_number, double(person.age),
 				person.gender == Gender::Woman ? 'w' : 'm', double(person.walking_speed));
 		text += row;
+		const auto add = [&text](const auto &list, size_t index) { text += "," + std::string(name_of(list[index % list.size()])); };
+		add(first_names(person.gender), person.name);
+		add(family_names(), household.family_name);
+		add(hair_colors(), household.hair_color);
+		add(clothes_colors(), person.clothes_color);
+		text += "\n";
 	}
 	return text;
 }

@@ -9,6 +9,8 @@
 
 // People as a table: a row for each person, columns `household`, `person`, `home` (building), `age` (years), `gender` (w or m) and `speed`
 // (walking, m/s). Ids are whole numbers, as in the city's file. Rows of one household may stand anywhere; all have to tell one home.
+// Columns that may be missing or empty: `first_name`, `family_name`, `hair` and `clothes`, each out of the lists in names.h. Family name and
+// hair are the household's: all rows that tell them tell the same.
 namespace pcg {
 
 struct PopulationFile {
@@ -19,7 +21,7 @@ struct PopulationFile {
 // `building_ids`: the numbers of the city's file. Errors: a missing column, a bad or repeated number, a home that the city does not have.
 Result<PopulationFile> parse_population(std::string_view text, std::string_view file, const FileIds &building_ids);
 Result<PopulationFile> read_population(const std::string &path, const FileIds &building_ids);
-// The same table; homes are numbered as in `building_ids`, or by dense id without it.
+// The same table with all columns, so that what was drawn or edited by hand comes back the same; homes are numbered as in `building_ids`, or by dense id without it.
 std::string population_to_csv(const Population &population, const FileIds *building_ids = nullptr);
 
 } // namespace pcg

@@ -1,4 +1,5 @@
 #include "core/lang/compiler.h"
+#include "core/lang/opcode.h"
 
 // Warnings about what is sound but has no effect. For strict dialects: in CGA hosts start where they like, and there is one phase.
 namespace pcg {
@@ -33,6 +34,26 @@ void Compiler::warn_at(std::string_view id, const SourcePlace &at, std::string m
 	const Source &source = *_program->sources[at.file];
 	_diagnostics.add({ Severity::Warning, id, source.name(), at.line, at.column, std::move(message), std::move(hint),
 			source.excerpt(at.line, at.column) });
+}
+
+// What stands behind a condition that always holds.
+void Compiler::warn_unreachable(bool is_decided, uint32_t offset) {
+	if (is_decided && is_strict()) {
+		warn("unreachable", offset, "this is never reached: the condition before it always holds");
+	}
+}
+
+bool Compiler::is_always_true(const Value &condition, uint32_t offset) {
+	if (condition.is_bool() && !condition.boolean && is_strict()) {
+		warn("unreachable", offset, "this is never reached: its condition never holds");
+	}
+	return condition.is_bool() && condition.boolean;
+}
+
+Value Compiler::constant_of(Chunk chunk) const {
+	const Instruction &first = _program->code[uint32_t(chunk)];
+	const bool is_all = _program->code[uint32_t(chunk) + 1].code == OpCode::Return;
+	return first.code == OpCode::PushConstant && is_all ? _program->constants[first.operand] : Value();
 }
 
 void Compiler::warn_unused_and_phases() {

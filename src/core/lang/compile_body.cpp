@@ -75,15 +75,19 @@ void Compiler::inline_command(const Command &command) {
 void Compiler::case_command(const Command &command) {
 	const auto branches = _scope.ast->list(command.branches);
 	std::vector<uint32_t> ends;
-	bool has_else = false;
+	bool has_else = false, is_decided = false;
 	for (uint32_t id : branches) {
 		const Branch &branch = _scope.ast->branches[id];
 		has_else = branch.condition == no_node;
+		warn_unreachable(is_decided, branch.offset);
 		if (has_else) {
 			body(branch.body);
 			break;
 		}
+		const uint32_t begin = here();
 		expression(branch.condition);
+		Value constant;
+		is_decided = ends_in_constant(begin, constant) && is_always_true(constant, branch.offset);
 		const uint32_t next = emit_jump(OpCode::JumpIfFalse, _scope.ast->exprs[branch.condition].offset, -1);
 		body(branch.body);
 		if (id != branches.back()) {
@@ -261,8 +265,12 @@ uint32_t Compiler::block(uint32_t id, BlockKind kind) {
 	const uint32_t first = uint32_t(_program->entries.size());
 	_program->blocks.push_back({ first, uint32_t(list.size()), source.is_repeated });
 	_program->entries.resize(first + list.size());
+	bool is_decided = false;
 	for (size_t i = 0; i < list.size(); ++i) {
-		const BlockEntry entry = block_entry(_scope.ast->entries[list[i]], kind);
+		const AstEntry &written = _scope.ast->entries[list[i]];
+		warn_unreachable(is_decided, written.offset);
+		const BlockEntry entry = block_entry(written, kind);
+		is_decided = kind == BlockKind::Predicates && entry.head != Chunk::None && is_always_true(constant_of(entry.head), written.offset);
 		_program->entries[first + i] = entry; // after the nested blocks have had theirs
 	}
 	return index;

@@ -282,7 +282,8 @@ Compiler::Known Compiler::call_builtin(uint32_t function, std::string_view name,
 	if (!spec.is_pure || !fold_call(spec, begin, depth, list.count, offset)) {
 		emit(OpCode::CallFunction, offset, 1 - int(list.count), mask, function, list.count);
 	}
-	return spec.is_pure ? spec.result : ValueType::Void;
+	// In CGA a function may give a harmless value of another kind instead of an error.
+	return spec.is_pure || _dialect.unknown_names == Dialect::UnknownNames::Error ? spec.result : ValueType::Void;
 }
 
 namespace {

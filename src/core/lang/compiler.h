@@ -162,6 +162,9 @@ private:
 	void rule_arguments(NodeRange list);
 
 	// check_program.cpp: warnings about what is sound but has no effect
+	void warn_unreachable(bool is_decided, uint32_t offset);
+	bool is_always_true(const Value &condition, uint32_t offset); // warns of one that is always false
+	Value constant_of(Chunk chunk) const; // Void if it is more than a constant
 	void warn_unused_and_phases();
 	void warn_phases(const std::vector<bool> &generation, const std::vector<bool> &simulation);
 	void warn_at(std::string_view id, const SourcePlace &at, std::string message, std::string hint);

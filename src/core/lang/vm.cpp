@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "core/lang/diagnostic_at.h"
 #include "core/lang/opcode.h"
 
 namespace pcg {
@@ -291,15 +292,7 @@ RuleId Vm::running_rule() const {
 }
 
 Diagnostic Vm::diagnostic_here(Severity severity, std::string_view id, std::string message, std::string hint) const {
-	const SourcePlace at = place();
-	Diagnostic diagnostic = { severity, id, {}, at.line, at.column, std::move(message), std::move(hint), {} };
-	if (at.line > 0 && at.file < _program->files.size()) {
-		diagnostic.file = _program->files[at.file];
-		diagnostic.source = _program->sources[at.file]->excerpt(at.line, at.column);
-	} else if (!_program->files.empty()) {
-		diagnostic.file = _program->files[0];
-	}
-	return diagnostic;
+	return diagnostic_at(*_program, _address, severity, id, std::move(message), std::move(hint));
 }
 
 Value Vm::fail(std::string_view id, std::string message, std::string hint) {

@@ -14,6 +14,7 @@ namespace {
 
 // The last household is drawn again so often, so that the number of persons asked for is met.
 constexpr uint64_t max_redraws = 64;
+constexpr uint64_t households_between_reports = 4096;
 
 struct Draw {
 	uint16_t pattern = 0;
@@ -38,6 +39,10 @@ public:
 		}
 		uint64_t persons = 0;
 		for (uint64_t number = 0; !is_done(number, persons); ++number) {
+			if (number % households_between_reports == 0 && !report_progress(number, persons)) {
+				diagnostics.warning("cancelled", "the drawing of households was cancelled; nobody lives in the city");
+				return {};
+			}
 			const Draw draw = draw_household(number, persons);
 			persons += draw.members.size();
 			if (!house(draw, number)) {
@@ -53,6 +58,15 @@ public:
 	}
 
 private:
+	// False: cancelled.
+	bool report_progress(uint64_t households, uint64_t persons) const {
+		const WorkOptions &work = _options.work;
+		if (work.progress) {
+			_options.households > 0 ? work.progress(households, _options.households) : work.progress(persons, _options.persons);
+		}
+		return work.cancel == nullptr || !work.cancel->load(std::memory_order_relaxed);
+	}
+
 	void report(Diagnostics &diagnostics) const {
 		if (_too_large > 0) {
 			diagnostics.warning("homes-too-small",

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/base/diagnostic.h"
+#include "core/base/parallel.h"
 #include "core/population/household_pattern.h"
 #include "core/population/population.h"
 #include "core/semantics/city_model.h"
@@ -15,6 +16,7 @@ struct PopulationOptions {
 	uint32_t persons = 0; // at least so many, as near as whole households come to it
 	uint32_t households = 0; // used instead of `persons` if it is above 0
 	std::string home_type = "house"; // type of the entrances of homes
+	WorkOptions work; // progress in persons or households, as asked for; a cancelled draw gives nobody, and a warning
 	uint32_t default_capacity = 4; // persons in a building whose entrances of that type say 0
 };
 

@@ -184,16 +184,20 @@ TEST_CASE("an entry without length, without days or longer than a day changes no
 	CHECK(agenda.tasks()[0].target == 1);
 }
 
-TEST_CASE("random insertions: sorted, disjoint, the newest whole, nothing lost that was not overlapped") {
-	Random random(20231, 5);
-	for (int round = 0; round < 150; ++round) {
+namespace {
+
+// `is_plain`: entries of all days within one day, which are inserted by a shorter way until the first other one comes.
+void insert_at_random(Random &random, int rounds, double is_plain) {
+	for (int round = 0; round < rounds; ++round) {
 		Agenda agenda;
 		MinuteModel model;
 		const uint32_t insertions = 2 + uint32_t(random.index(14));
 		for (uint32_t owner = 1; owner <= insertions; ++owner) {
-			const int start = int(random.index(5 * day_minutes)) - 2 * day_minutes;
-			const int length = 1 + int(random.chance(0.1) ? day_minutes - 1 : random.index(day_minutes));
-			const DayMask days = random.chance(0.3) ? all_days : DayMask(1 + random.index(127));
+			const bool plain = random.chance(is_plain);
+			const int start = plain ? int(random.index(day_minutes)) : int(random.index(5 * day_minutes)) - 2 * day_minutes;
+			const int longest = plain ? day_minutes - start : day_minutes;
+			const int length = random.chance(0.1) ? longest : 1 + int(random.index(size_t(longest)));
+			const DayMask days = plain || random.chance(0.3) ? all_days : DayMask(1 + random.index(127));
 			REQUIRE(agenda.insert(task_of(start * minute_ms, (start + length) * minute_ms, owner, days)));
 			model.insert(start, length, days, owner);
 		}
@@ -214,4 +218,13 @@ TEST_CASE("random insertions: sorted, disjoint, the newest whole, nothing lost t
 		}
 		CHECK(newest_pieces == 1);
 	}
+}
+
+} // namespace
+
+TEST_CASE("random insertions: sorted, disjoint, the newest whole, nothing lost that was not overlapped") {
+	Random random(20231, 5);
+	insert_at_random(random, 150, 0.0);
+	insert_at_random(random, 60, 0.9);
+	insert_at_random(random, 60, 1.0);
 }

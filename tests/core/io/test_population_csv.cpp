@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "core/io/population_csv.h"
+#include "core/population/names.h"
 
 using namespace pcg;
 
@@ -69,4 +70,27 @@ TEST_CASE("people written out come back the same") {
 	CHECK(again->population.persons[1].walking_speed == 0.93f);
 	CHECK(again->population.persons[1].name == file->population.persons[1].name);
 	CHECK(again->population.households[0].home == BuildingId(1));
+}
+
+TEST_CASE("names and colors edited by hand are kept; a name that is none is told with the closest") {
+	const std::string header = "household,person,home,age,gender,speed,first_name,family_name,hair,clothes\n";
+	const FileIds ids = buildings();
+	const auto file = parse_population(header + "1,1,20,34,w,1.4,Ada,Marsh,red,navy\n1,2,20,36,m,1.4,Hugo,,,\n2,3,10,70,m,0.93,,,,\n", "people.csv", ids);
+	REQUIRE(file.is_ok());
+	CHECK(full_name(file->population, PersonId(0)) == "Ada Marsh");
+	CHECK(full_name(file->population, PersonId(1)) == "Hugo Marsh");
+	CHECK(hair_colors()[file->population.households[0].hair_color].name == "red");
+	CHECK(clothes_colors()[file->population.persons[0].clothes_color].name == "navy");
+	const std::string text = population_to_csv(file->population, &ids);
+	const auto again = parse_population(text, "again.csv", ids);
+	REQUIRE(again.is_ok());
+	CHECK(population_to_csv(again->population, &ids) == text);
+	const auto wrong = parse_population(header + "1,1,20,34,w,1.4,Ad,Marsh,red,navy\n", "people.csv", ids);
+	REQUIRE(!wrong.is_ok());
+	CHECK(wrong.diagnostic().id == "unknown-look");
+	CHECK(wrong.diagnostic().column == 17);
+	CHECK(wrong.diagnostic().hint == "did you mean 'Ada'?");
+	const auto two = parse_population(header + "1,1,20,34,w,1.4,Ada,Marsh,red,navy\n1,2,20,36,m,1.4,,Baker,,\n", "people.csv", ids);
+	REQUIRE(!two.is_ok());
+	CHECK(two.diagnostic().id == "two-looks");
 }

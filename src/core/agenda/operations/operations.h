@@ -7,6 +7,7 @@ namespace pcg::agenda {
 
 void add_members(Dialect &dialect);
 void add_days(Dialect &dialect);
+void add_task_names(Dialect &dialect); // task requires after
 void add_stay_inside(Dialect &dialect);
 void add_go_to_building(Dialect &dialect);
 void add_accompany(Dialect &dialect);

@@ -1,0 +1,96 @@
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "agenda_fixture.h"
+
+using namespace pcg;
+
+// What a hostile or careless author may write: each ends in a message, and the rest of the city lives on.
+namespace {
+
+AgendaFixture two_households() {
+	AgendaFixture fixture;
+	fixture.add_building("house", 0);
+	fixture.add_household(BuildingId(0));
+	fixture.add_person(40);
+	fixture.add_household(BuildingId(0));
+	fixture.add_person(41);
+	return fixture;
+}
+
+} // namespace
+
+TEST_CASE("a rule set of 100,000 rules is read and used") {
+	AgendaFixture fixture = two_households();
+	std::string rules = "@StartRule\nHousehold --> members { true: R0 }\n";
+	constexpr int count = 100'000;
+	for (int i = 0; i < count; ++i) {
+		rules += "R" + std::to_string(i) + " --> case " + std::to_string(i) + " == age: stayInside(0h, 1h, home) else: ";
+		rules += i + 1 < 100 ? "R" + std::to_string(i + 1) + "\n" : "delayedRule(0h, 1h, R" + std::to_string((i + 1) % count) + ")\n";
+	}
+	REQUIRE(fixture.generate(rules));
+	CHECK(fixture.diagnostics.error_count() == 0);
+	CHECK(fixture.day_of(PersonId(0)) == "00:00-01:00 stay 0");
+}
+
+TEST_CASE("a household of 65,535 members is written, and rules that multiply its members are stopped") {
+	AgendaFixture fixture;
+	fixture.add_building("house", 0);
+	fixture.add_building("shop", 100);
+	fixture.add_household(BuildingId(0));
+	for (int i = 0; i < 65'535; ++i) {
+		fixture.add_person(i == 0 ? 40.0f : 10.0f);
+	}
+	fixture.add_household(BuildingId(0));
+	const PersonId neighbor = fixture.add_person(41);
+	REQUIRE(fixture.generate(R"(
+@StartRule
+Household -->
+	members { true: stayInside(0h, 8h, home) }
+	members { age < 18: goToBuilding(9h, 10h, 1) }
+	[ case count() > 1: members { age == 40: accompany(9h + 1, age < 18) } ]
+	members { true: members { true: stayInside(20h, 21h, home) } }
+)"));
+	CHECK(fixture.problems() == "step-limit");
+	CHECK(fixture.day_of(PersonId(65'534)).find("09:00-10:00 accompany to 1") != std::string::npos);
+	CHECK(fixture.day_of(neighbor) == "00:00-08:00 stay 0; 20:00-21:00 stay 0");
+}
+
+TEST_CASE("one run-time error of every household is one message with a count") {
+	AgendaFixture fixture;
+	fixture.add_building("house", 0);
+	for (int i = 0; i < 1000; ++i) {
+		fixture.add_household(BuildingId(0));
+		fixture.add_person(40);
+	}
+	REQUIRE(fixture.generate("@StartRule\nHousehold --> members { true: stayInside(0h, 8h, home) } members { true: stayInside(0, 1 / (count() - 1), home) }"));
+	REQUIRE(fixture.problems() == "division-by-zero");
+	CHECK(fixture.diagnostics.list()[0].message.find("household 0: ") == 0);
+	CHECK(fixture.diagnostics.list()[0].message.find("and the same 999 times more") != std::string::npos);
+	CHECK(fixture.day_of(PersonId(999)) == "00:00-08:00 stay 0");
+}
+
+TEST_CASE("an entry that is required by every household's is told once with a count") {
+	AgendaFixture fixture;
+	fixture.add_building("house", 0);
+	for (int i = 0; i < 1000; ++i) {
+		fixture.add_household(BuildingId(0));
+		fixture.add_person(40);
+	}
+	REQUIRE(fixture.generate("@StartRule\nHousehold --> members { true: requires(\"work\") { stayInside(0h, 8h, home) } }"));
+	REQUIRE(fixture.problems() == "requirement-unmet");
+	CHECK(fixture.diagnostics.list()[0].message == "household 0: person 0 drops 'stayInside' at 00:00 (every day): nobody there has 'work', and the same 999 times more");
+}
+
+TEST_CASE("names without end are an error") {
+	AgendaFixture fixture;
+	fixture.add_building("house", 0);
+	fixture.add_household(BuildingId(0));
+	fixture.add_person(40);
+	REQUIRE(fixture.generate("@StartRule\nHousehold --> members { true: Again(0) }\n"
+							 "Again(i) --> Name(\"a\" + i) Name(\"b\" + i) Name(\"c\" + i) Name(\"d\" + i) case i < 500: Again(i + 1)\n"
+							 "Name(name) --> task(name) { stayInside(0h, 1h, home) }"));
+	CHECK(fixture.problems() == "too-many-names");
+	CHECK(fixture.day_of(PersonId(0)) == "00:00-01:00 stay 0");
+}
