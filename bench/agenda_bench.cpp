@@ -142,7 +142,9 @@ int main(int count, char **arguments) {
 	AgendaSet agendas;
 	const auto generate = [&](const AgendaOptions &options) { agendas = generate_agendas(*program, city, *paths, population, options, diagnostics); };
 	if (count > 1) {
-		generate({ .work = { .threads = 1 } });
+		AgendaOptions options;
+		options.work.threads = 1;
+		generate(options);
 		std::printf("%.0f\n", persons);
 		return 0;
 	}
