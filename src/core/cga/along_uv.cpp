@@ -128,7 +128,6 @@ const Geometry *unit_of(const Geometry &asset, const AlongUv &settings, Arena &a
 	}
 	Geometry *unit = arena.make(asset);
 	unit->points = points;
-	unit->is_closed = false; // cuts stay open
 	unit->is_block = false;
 	if (asset.corners != nullptr) {
 		CornerData corners = *asset.corners;
@@ -247,7 +246,7 @@ private:
 			const Plane shifted{ plane.normal, plane.offset - plane.normal.x * tile.x - plane.normal.y * tile.y };
 			const double least = std::min(0.0, plane.normal.x) + std::min(0.0, plane.normal.y); // of the square's corners
 			if (rest != nullptr && least < shifted.offset - 1e-6) {
-				rest = _clipper.clip(*rest, shifted, _scratch);
+				rest = _clipper.clip(*rest, shifted, _scratch, Clipper::Cuts::Open);
 			}
 		}
 		if (rest != nullptr) {

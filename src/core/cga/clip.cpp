@@ -13,6 +13,8 @@ namespace pcg::cga {
 
 namespace {
 
+constexpr double smallest_cap = 1e-12; // twice its area: what is smaller has none
+
 std::vector<glm::dvec2> flattened(std::span<const glm::dvec3> loop, glm::dvec3 normal) {
 	std::vector<glm::dvec2> result;
 	for (const glm::dvec3 &point : loop) {
@@ -27,7 +29,7 @@ bool is_before(glm::dvec3 a, glm::dvec3 b) {
 
 } // namespace
 
-const Geometry *Clipper::clip(const Geometry &geometry, const Plane &plane, Arena &arena) {
+const Geometry *Clipper::clip(const Geometry &geometry, const Plane &plane, Arena &arena, Cuts cuts) {
 	_uvs = nullptr;
 	_normal = plane.normal;
 	measure(geometry, plane);
@@ -40,8 +42,9 @@ const Geometry *Clipper::clip(const Geometry &geometry, const Plane &plane, Aren
 	for (uint32_t i = 0; i < geometry.face_count; ++i) {
 		clip_face(geometry, geometry.faces[i]);
 	}
-	const bool is_closed = geometry.is_closed && add_caps(plane);
-	return _builder.finish(arena, is_closed);
+	const bool is_hollow = geometry.is_closed || geometry.face_count > 2;
+	const bool is_capped = cuts == Cuts::Closed && is_hollow && add_caps(plane);
+	return _builder.finish(arena, geometry.is_closed && is_capped);
 }
 
 const Geometry *Clipper::clip_uv(const Geometry &geometry, size_t set, int axis, double at, bool keeps_above, Arena &arena) {
@@ -84,6 +87,7 @@ void Clipper::measure_uv(const Geometry &geometry, double at, bool keeps_above) 
 void Clipper::measure(const Geometry &geometry, const Plane &plane) {
 	const glm::dvec3 size = glm::max(glm::abs(geometry.low), glm::abs(geometry.high));
 	const double margin = 1e-10 * (size.x + size.y + size.z + std::abs(plane.offset));
+	_margin = 10.0 * margin;
 	_distances.resize(geometry.point_count);
 	for (uint32_t i = 0; i < geometry.point_count; ++i) {
 		const double distance = glm::dot(plane.normal, geometry.points[i]) - plane.offset;
@@ -267,7 +271,7 @@ void Clipper::add_holes(const Geometry &geometry, const std::vector<glm::dvec3> 
 
 // The cuts of all faces run around what the plane cuts out of the volume; reversed they are the outline of the cap, which looks away from the
 // side that stays. A cap begins with the edge that it shares with the first of the faces around it: so a roof that stands on a cut roof knows which
-// of its edges is which. False if the cuts do not close.
+// of its edges is which. Open bodies are capped as well where their cuts run in circles, such as a roof with overhangs. False if some cuts do not.
 bool Clipper::add_caps(const Plane &plane) {
 	for (uint32_t i = 0; i < _cuts.size(); ++i) {
 		std::swap(_cuts[i].from, _cuts[i].to);
@@ -283,14 +287,17 @@ bool Clipper::add_caps(const Plane &plane) {
 	std::vector<std::vector<glm::dvec3>> outlines, holes;
 	std::vector<glm::dvec3> loop;
 	double sum = 0.0;
+	bool do_all_close = true;
 	for (const uint32_t first : _order) {
 		if (_cuts[first].is_used) {
 			continue;
 		}
-		if (!cap_loop(first, loop)) {
-			return false;
+		const bool does_close = cap_loop(first, loop);
+		do_all_close &= does_close;
+		const double size = does_close ? glm::dot(area_vector(loop), -plane.normal) : 0.0;
+		if (std::abs(size) < smallest_cap) {
+			continue;
 		}
-		const double size = glm::dot(area_vector(loop), -plane.normal);
 		(size > 0.0 ? outlines : holes).push_back(loop);
 		sum += size;
 	}
@@ -298,7 +305,7 @@ bool Clipper::add_caps(const Plane &plane) {
 		std::swap(outlines, holes);
 	}
 	emit_caps(outlines, holes, -plane.normal);
-	return true;
+	return do_all_close;
 }
 
 void Clipper::emit_caps(const std::vector<std::vector<glm::dvec3>> &outlines, const std::vector<std::vector<glm::dvec3>> &holes, glm::dvec3 normal) {
@@ -319,18 +326,31 @@ bool Clipper::cap_loop(uint32_t first, std::vector<glm::dvec3> &loop) {
 	glm::dvec3 at = _cuts[first].to;
 	_cuts[first].is_used = true;
 	while (at != loop[0]) {
-		auto next = std::ranges::lower_bound(_cuts, at, is_before, &Segment::from);
-		while (next != _cuts.end() && next->from == at && next->is_used) {
-			++next;
-		}
-		if (next == _cuts.end() || next->from != at) {
-			return false;
+		Segment *next = next_cut(at);
+		if (next == nullptr) {
+			return glm::distance(at, loop[0]) <= _margin;
 		}
 		loop.push_back(at);
 		at = next->to;
 		next->is_used = true;
 	}
 	return true;
+}
+
+// Faces that share an edge are cut in the same place to the bit. At open edges that only lie on each other, rounding keeps the places apart.
+Clipper::Segment *Clipper::next_cut(glm::dvec3 at) {
+	for (auto next = std::ranges::lower_bound(_cuts, at, is_before, &Segment::from); next != _cuts.end() && next->from == at; ++next) {
+		if (!next->is_used) {
+			return &*next;
+		}
+	}
+	for (auto next = std::ranges::lower_bound(_cuts, at.x - _margin, {}, [](const Segment &cut) { return cut.from.x; });
+			next != _cuts.end() && next->from.x <= at.x + _margin; ++next) {
+		if (!next->is_used && glm::distance(next->from, at) <= _margin) {
+			return &*next;
+		}
+	}
+	return nullptr;
 }
 
 } // namespace pcg::cga

@@ -8,7 +8,7 @@
 #include "core/cga/geometry.h"
 
 // Cuts polygons with planes. Concave faces fall into as many pieces as there are, holes stay holes or become part of the outline, and the cuts
-// of closed surfaces are capped.
+// of hollow bodies are capped.
 namespace pcg::cga {
 
 struct Plane {
@@ -18,9 +18,14 @@ struct Plane {
 
 class Clipper {
 public:
+	enum class Cuts {
+		Closed,
+		Open
+	};
+
 	// What lies on the plane's positive side; nullptr if nothing does. The geometry itself if nothing is cut away. Pieces keep the face's
 	// first edge where it survives; where it is cut away, the cut takes its place.
-	const Geometry *clip(const Geometry &geometry, const Plane &plane, Arena &arena);
+	const Geometry *clip(const Geometry &geometry, const Plane &plane, Arena &arena, Cuts cuts = Cuts::Closed);
 	// The same along a line of constant u (axis 0) or v of a set that the geometry has: what lies above `at`, or below. Corners without coordinates
 	// are cut away; there are no caps.
 	const Geometry *clip_uv(const Geometry &geometry, size_t set, int axis, double at, bool keeps_above, Arena &arena);
@@ -61,6 +66,7 @@ private:
 	bool add_caps(const Plane &plane);
 	void emit_caps(const std::vector<std::vector<glm::dvec3>> &outlines, const std::vector<std::vector<glm::dvec3>> &holes, glm::dvec3 normal);
 	bool cap_loop(uint32_t first, std::vector<glm::dvec3> &loop);
+	Segment *next_cut(glm::dvec3 at);
 
 	GeometryBuilder _builder;
 	std::vector<double> _distances; // of each point of the geometry to the plane
@@ -75,6 +81,7 @@ private:
 	std::vector<uint32_t> _whole_holes; // loops of the face that the cut does not meet
 	std::vector<uint32_t> _order; // chains of one outline, or cuts around caps, in order
 	std::vector<Segment> _cuts;
+	double _margin = 0.0; // ends of cuts that are closer are one point
 	std::vector<glm::dvec3> _outline;
 	std::vector<CornerOrigin> _outline_origins;
 };

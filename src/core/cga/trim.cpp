@@ -12,7 +12,7 @@ namespace pcg::cga {
 
 namespace {
 
-constexpr double horizontal_sine = 0.64278760968653933; // of 40 degrees
+constexpr double horizontal_sine = 0.64278760968653933 - 1e-9; // of 40 degrees, which is vertical whatever rounding says
 constexpr double margin = 1e-6; // metres that may stick out
 
 // The other face with the edge from `to` to `from`, or either way round where normals disagree; nullptr if there is none.
