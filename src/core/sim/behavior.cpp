@@ -25,6 +25,7 @@ Behavior::Behavior(Simulation &simulation, const agenda::World &world, const Sim
 
 RunState Behavior::begin(PersonId person, RuleId rule) {
 	_person = person;
+	_rule = rule;
 	_uses_on_arrival = false;
 	set_household(population().person(person).household);
 	set_focus(person);

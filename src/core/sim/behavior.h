@@ -21,6 +21,11 @@ public:
 	RunState begin(PersonId person, RuleId rule);
 	RunState resume();
 	void end();
+	// From its beginning, for the same person.
+	RunState begin_again() {
+		end();
+		return begin(_person, _rule);
+	}
 
 	// The operations; Pause: resume() is called when it is done, Stop: the rule ends.
 	Flow wait(double seconds);
@@ -45,6 +50,7 @@ private:
 	Simulation &_simulation;
 	uint64_t _seed;
 	PersonId _person = PersonId::Invalid; // not the focus: rules may change that in members {}
+	RuleId _rule = RuleId::Invalid;
 	bool _uses_on_arrival = false; // interact() had to walk to the object first
 	AgentPose _pose = AgentPose::Stand;
 	Random _random;

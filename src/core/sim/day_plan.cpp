@@ -1,5 +1,7 @@
 #include "core/sim/day_plan.h"
 
+#include <algorithm>
+
 namespace pcg {
 
 namespace {
@@ -13,7 +15,7 @@ bool is_on(const Task &task, int64_t day) {
 
 PlannedEntry on_day(std::span<const Task> tasks, size_t index, int64_t day) {
 	const Task &task = tasks[index];
-	return { SimTime::at(day, task.start()), SimTime::at(day, task.end()), task.target, uint16_t(index), task.kind };
+	return { SimTime::at(day, task.start()), SimTime::at(day, task.end()), task.target, uint16_t(index), task.kind, task.is_start_cut };
 }
 
 PlannedEntry hole_at(std::span<const Task> tasks, SimTime time) {
@@ -53,6 +55,22 @@ PlannedEntry planned_entry_at(std::span<const Task> tasks, SimTime time) {
 		}
 	}
 	return hole_at(tasks, time);
+}
+
+PlannedEntry planned_entry_at(std::span<const Task> tasks, std::span<const InsertedEntry> inserted, SimTime time) {
+	PlannedEntry result = planned_entry_at(tasks, time);
+	for (const InsertedEntry &entry : inserted) {
+		if (entry.start <= time && time < entry.end) {
+			return { entry.start, entry.end, entry.target, PlannedEntry::inserted, entry.kind, entry.is_start_cut };
+		}
+		if (entry.end <= time && entry.end > result.start) {
+			result.start = entry.end;
+			result.is_start_cut = true;
+		} else if (entry.start > time) {
+			result.end = std::min(result.end, entry.start);
+		}
+	}
+	return result;
 }
 
 } // namespace pcg

@@ -85,13 +85,47 @@ void InvariantChecker::begin_life(SimTime time) {
 	_leaders_walks.clear();
 	_childrens_walks.clear();
 	for (uint32_t i = 0; i < _lives.size(); ++i) {
-		const PersonView view = _simulation.view(PersonId(i));
-		Life &known = _lives[i];
-		known = Life();
-		known.span_end = time;
-		known.set_out = SimTime{ std::numeric_limits<int64_t>::min() }; // not known of walks in progress
-		known.inside = view.state == PersonState::Inside ? view.place.building() : BuildingId::Invalid;
-		known.is_stuck = true; // whether it was told so before is not known; until its next entry
+		begin_life_of(PersonId(i), time);
+	}
+}
+
+void InvariantChecker::begin_life_of(PersonId id, SimTime time) {
+	const PersonView view = _simulation.view(id);
+	Life &known = life(id);
+	known = Life();
+	known.span_end = time;
+	known.set_out = SimTime{ std::numeric_limits<int64_t>::min() }; // not known of walks in progress
+	known.span_position = view.position;
+	known.span_state = view.state;
+	known.inside = view.state == PersonState::Inside ? view.place.building() : BuildingId::Invalid;
+	known.span_building = known.inside;
+	known.is_taken = view.presence == Presence::Taken;
+	known.is_gone = view.presence == Presence::Removed;
+	known.is_stuck = true; // whether it was told so before is not known; until its next entry
+}
+
+// Who comes, goes, or is the game's for a while.
+void InvariantChecker::note_presence(const SimEvent &event) {
+	switch (event.kind) {
+		case SimEventKind::Added:
+			_lives.resize(std::max<size_t>(_lives.size(), size_t(index_of(event.person)) + 1));
+			begin_life_of(event.person, event.time);
+			break;
+		case SimEventKind::Removed:
+			life(event.person).is_gone = true;
+			life(event.person).inside = BuildingId::Invalid;
+			break;
+		case SimEventKind::TakenOver:
+			life(event.person).is_taken = true;
+			break;
+		case SimEventKind::Released:
+			life(event.person).is_taken = false;
+			life(event.person).released = event.time;
+			life(event.person).span_position = event.position;
+			life(event.person).seen_time = never;
+			break;
+		default:
+			break;
 	}
 }
 
@@ -101,12 +135,14 @@ void InvariantChecker::on_event(const SimEvent &event) {
 	if (!_is_alive) {
 		return;
 	}
+	note_presence(event);
 	Life &known = life(event.person);
 	switch (event.kind) {
 		case SimEventKind::TaskStarted:
 			known.is_stuck = false;
 			break;
 		case SimEventKind::Unreachable:
+		case SimEventKind::GoalChanged: // perhaps its building is gone
 			known.is_stuck = true;
 			break;
 		case SimEventKind::EnteredBuilding:
@@ -120,6 +156,11 @@ void InvariantChecker::on_event(const SimEvent &event) {
 				complain(Promise::NoTwoPlaces, event.person, event.time, "leaves a building that it is not in");
 			}
 			known.inside = BuildingId::Invalid;
+			known.left_by = event.position;
+			if (!is_near_door(event.place.building(), event.position, tolerance) &&
+					double(glm::distance(event.position, known.span_position)) > tolerance) {
+				complain(Promise::NoTeleport, event.person, event.time, "leaves a building where it has no door");
+			}
 			break;
 		case SimEventKind::SetOut:
 			known.set_out = event.time;
@@ -182,7 +223,9 @@ void InvariantChecker::on_lived(const LivedSpan &span) {
 	if (span.start != known.span_end) {
 		complain(Promise::DayCovered, span.person, span.start, "a gap in its life");
 	}
-	check_continuity(span, known);
+	if (!known.is_taken) {
+		check_continuity(span, known);
+	}
 	note_group_walk(span);
 	known.span_end = span.end;
 	known.span_position = span.position;
@@ -199,7 +242,7 @@ void InvariantChecker::check_continuity(const LivedSpan &span, Life &known) {
 		const bool came_from_inside = known.span_state == PersonState::Inside;
 		const bool stays_inside = came_from_inside && span.state == PersonState::Inside && known.span_building == span.place.building();
 		const bool is_there = double(glm::distance(start, known.span_position)) <= tolerance || stays_inside ||
-				(came_from_inside && is_near_door(known.span_building, start, tolerance));
+				(came_from_inside && double(glm::distance(start, known.left_by)) <= tolerance);
 		if (!is_there) {
 			complain(Promise::NoTeleport, span.person, span.start, "appears elsewhere");
 		}
@@ -223,7 +266,11 @@ void InvariantChecker::note_group_walk(const LivedSpan &span) {
 	}
 	const bool is_child = _simulation.population().person(span.person).age < 18.0f;
 	const bool is_own_walk = life(span.person).set_out < span.entry.start; // to the same building, begun before the group's time
-	if (is_child && span.place == target_of(group.goal) && !is_own_walk) {
+	const Life &leader = life(group.leader);
+	const Life &child = life(span.person);
+	const bool was_led_away = leader.is_taken || leader.is_gone || child.set_out < leader.released; // by the game
+	const bool was_away = child.is_taken || child.is_gone || child.released >= span.entry.start;
+	if (is_child && span.place == target_of(group.goal) && !is_own_walk && !was_led_away && !was_away) {
 		_childrens_walks.push_back(walk);
 	}
 }
@@ -246,6 +293,9 @@ void InvariantChecker::check_children() {
 void InvariantChecker::check() {
 	for (uint32_t i = 0; i < _lives.size(); ++i) {
 		const PersonView view = _simulation.view(PersonId(i));
+		if (_lives[i].is_gone || _lives[i].is_taken) {
+			continue;
+		}
 		check_position(PersonId(i), view);
 		check_building(PersonId(i), view);
 	}
@@ -279,7 +329,7 @@ void InvariantChecker::check_position(PersonId id, const PersonView &view) {
 }
 
 void InvariantChecker::check_building(PersonId id, const PersonView &view) {
-	const PlannedEntry entry = planned_entry_at(_simulation.agendas().tasks_of(id), _simulation.now());
+	const PlannedEntry entry = _simulation.plan_at(id, _simulation.now());
 	const bool is_stay = entry.kind == TaskKind::StayInside || entry.kind == TaskKind::GoToBuilding;
 	const bool is_with_late_group = view.entry.kind == TaskKind::Accompany && !view.entry.is_hole();
 	if (!is_stay || life(id).is_stuck || is_with_late_group) {
@@ -336,7 +386,7 @@ void InvariantChecker::check_counts() {
 void InvariantChecker::finish() {
 	check();
 	for (uint32_t i = 0; i < _lives.size(); ++i) {
-		if (_lives[i].span_end != _simulation.now()) {
+		if (_lives[i].span_end != _simulation.now() && !_lives[i].is_gone) {
 			complain(Promise::DayCovered, PersonId(i), _simulation.now(), "its life was told only in part");
 		}
 	}

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -58,8 +59,12 @@ private:
 		glm::vec3 span_position{ 0.0f };
 		PersonState span_state = PersonState::Inside;
 		BuildingId span_building = BuildingId::Invalid;
+		glm::vec3 left_by{ 0.0f }; // the door, while that was where it is
 		BuildingId inside = BuildingId::Invalid; // as far as events tell
 		SimTime set_out; // of the walk that it is on
+		SimTime released{ std::numeric_limits<int64_t>::min() }; // the last time that the game gave it back
+		bool is_taken = false; // by the game, which may do with it what it likes
+		bool is_gone = false;
 		bool is_stuck = false; // was told that there is no way to where the entry wants it
 	};
 	struct GroupWalk {
@@ -69,6 +74,8 @@ private:
 		glm::vec3 position{ 0.0f };
 	};
 
+	void begin_life_of(PersonId id, SimTime time);
+	void note_presence(const SimEvent &event);
 	Life &life(PersonId id) { return _lives[index_of(id)]; }
 	void complain(Promise promise, PersonId id, SimTime time, std::string text);
 	void begin_life(SimTime time);

@@ -1,41 +1,19 @@
 #include "core/sim/observer.h"
 
+#include <array>
+
 namespace pcg {
 
-std::string_view event_name(SimEventKind kind) {
-	switch (kind) {
-		case SimEventKind::TaskStarted:
-			return "task-started";
-		case SimEventKind::LeftBuilding:
-			return "left-building";
-		case SimEventKind::EnteredBuilding:
-			return "entered-building";
-		case SimEventKind::SetOut:
-			return "set-out";
-		case SimEventKind::Arrived:
-			return "arrived";
-		case SimEventKind::UsedObject:
-			return "used-object";
-		case SimEventKind::LeftObject:
-			return "left-object";
-		case SimEventKind::FloatingTaskStarted:
-			return "floating-task-started";
-		case SimEventKind::RuleEnded:
-			return "rule-ended";
-		case SimEventKind::RuleCut:
-			return "rule-cut";
-		case SimEventKind::ArrivedLate:
-			return "arrived-late";
-		case SimEventKind::PatienceRanOut:
-			return "patience-ran-out";
-		case SimEventKind::Unreachable:
-			return "unreachable";
-		case SimEventKind::NoFreePlace:
-			return "no-free-place";
-		case SimEventKind::RuleFailed:
-			return "rule-failed";
-	}
-	return "";
-}
+namespace {
+
+// In the order of SimEventKind.
+constexpr std::array<std::string_view, sim_event_kind_count> names{ "task-started", "left-building", "entered-building", "set-out", "arrived",
+	"used-object", "left-object", "floating-task-started", "rule-ended", "rule-cut", "arrived-late", "patience-ran-out", "unreachable",
+	"no-free-place", "rule-failed", "goal-changed", "added", "removed", "taken-over", "released" };
+static_assert(!names.back().empty());
+
+} // namespace
+
+std::string_view event_name(SimEventKind kind) { return size_t(kind) < names.size() ? names[size_t(kind)] : std::string_view(); }
 
 } // namespace pcg

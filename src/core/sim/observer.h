@@ -55,8 +55,13 @@ enum class SimEventKind : uint8_t {
 	Unreachable, // no way to `place`, or it is gone
 	NoFreePlace, // all places of the object are taken
 	RuleFailed, // a run-time error, told in Simulation::diagnostics()
+	GoalChanged, // `place`, where the person was or walked to, was moved or removed
+	Added, // a new person came to live here
+	Removed, // it is gone for good
+	TakenOver, // by the game, which moves it from now on
+	Released, // by the game; `position` is where it goes on
 };
-constexpr size_t sim_event_kind_count = size_t(SimEventKind::RuleFailed) + 1;
+constexpr size_t sim_event_kind_count = size_t(SimEventKind::Released) + 1;
 // "task-started", "left-building" ..: as in traces.
 std::string_view event_name(SimEventKind kind);
 

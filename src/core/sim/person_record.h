@@ -21,6 +21,12 @@ enum class Purpose : uint8_t {
 	Group, // a group on the way to its goal
 };
 
+enum class Presence : uint8_t {
+	Living, // its agenda leads it
+	Taken, // the game has it
+	Removed, // gone for good; the id stays
+};
+
 // What the simulation keeps of each person, on the way or not. A million of them must fit: see the assertion.
 struct PersonRecord {
 	static constexpr uint32_t none = 0xFFFFFFFF;
@@ -45,10 +51,12 @@ struct PersonRecord {
 	TaskKind entry_kind = TaskKind::StayInside;
 	uint8_t object_place = 0xFF; // reserved place of `reserved_object`
 	uint32_t reserved_object = none;
-	bool is_late_noted = false;
+	bool can_be_late = false; // the entry says when it wants the person inside, and that was not told yet
+	Presence presence = Presence::Living;
 
 	// Called to a group walk and done with everything else: entries begin only after it.
 	bool is_in_group() const { return party != none; }
+	bool is_absent() const { return presence != Presence::Living; }
 	Target target() const { return { place_kind, place }; }
 	bool is_in_hole() const { return entry_task == PlannedEntry::hole; }
 };

@@ -11,15 +11,20 @@ Simulation::Simulation(const CityModel &city, const PathProvider &paths, const P
 		const AgendaSet &agendas, std::shared_ptr<const Program> program, SimulationSettings settings, AgentHost &host)
 	: _city(city), _paths(paths), _population(population), _agendas(agendas), _program(std::move(program)),
 	  _settings(std::move(settings)), _host(&host) {
-	_persons.resize(std::min(population.persons.size(), agendas.person_count()));
-	_party_of_group.resize(agendas.groups.size(), PersonRecord::none);
-	_floating_taken.resize(agendas.floating_tasks.size());
+	make_room();
 	_queue.reserve(_persons.size() + 16);
 	_city_revision = city.revision() - 1;
 	take_in_city_edits();
 }
 
 Simulation::~Simulation() = default;
+
+// For everybody in the population and all that the agendas have.
+void Simulation::make_room() {
+	_persons.resize(std::min(_population.persons.size(), _agendas.person_count()));
+	_party_of_group.resize(_agendas.groups.size(), PersonRecord::none);
+	_floating_taken.resize(_agendas.floating_tasks.size(), never_taken);
+}
 
 void Simulation::start(SimTime time) {
 	if (_has_started) {
@@ -39,7 +44,9 @@ void Simulation::advance_to(SimTime time) {
 	if (!_has_started || time < _now) {
 		return;
 	}
-	take_in_city_edits();
+	if (take_in_city_edits()) {
+		mend_goals();
+	}
 	run_queue(_queue, time);
 	_now = time;
 }
@@ -104,9 +111,10 @@ SimTime Simulation::next_due() const {
 	return _queue.is_empty() ? latest : std::min(latest, _queue.top().time);
 }
 
-void Simulation::take_in_city_edits() {
+// Whether there were any.
+bool Simulation::take_in_city_edits() {
 	if (_city_revision == _city.revision()) {
-		return;
+		return false;
 	}
 	_city_revision = _city.revision();
 	_reservations.update(_city);
@@ -118,6 +126,7 @@ void Simulation::take_in_city_edits() {
 		}
 		*_rule_world = agenda::make_world(*_program, _city, _paths, _population); // in place: behaviors point to it
 	}
+	return true;
 }
 
 glm::vec3 Simulation::position(PersonId id) const {
@@ -134,6 +143,7 @@ PersonView Simulation::view(PersonId id) const {
 	result.position = person.position;
 	result.since = person.since;
 	result.entry = entry_of(id);
+	result.presence = person.presence;
 	if (person.is_in_group()) {
 		result.leader = _parties[person.party].leader;
 	}

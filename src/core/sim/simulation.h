@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -18,6 +19,7 @@
 #include "core/semantics/city_model.h"
 #include "core/sim/day_plan.h"
 #include "core/sim/event_queue.h"
+#include "core/sim/inserted_entries.h"
 #include "core/sim/observer.h"
 #include "core/sim/person_record.h"
 #include "core/sim/reservations.h"
@@ -67,6 +69,7 @@ struct PersonView {
 	std::span<const glm::vec3> path; // of a walk, whole
 	PersonId leader = PersonId::Invalid; // of the group that the person is in
 	PlannedEntry entry; // under which all this happens; late people may still be busy with one that is over
+	Presence presence = Presence::Living; // of somebody who was removed only this holds
 };
 
 class Simulation {
@@ -92,6 +95,25 @@ public:
 	// When the next thing is due; now() + 7 days at the latest.
 	SimTime next_due() const;
 
+	// Changes while it runs (simulation_edits.cpp). Edits of the city need no call: they are seen at the next step. Whoever is at, or on the way
+	// to, what was moved or removed starts the rule or the walk that led there anew; whose building is gone stands before it and goes home.
+	//
+	// Takes in the households that were added at the end of the population, with their agendas, groups and floating tasks. They are put where their
+	// agendas want them now. False: the agendas do not reach as far as the population.
+	bool take_in_people();
+	// An entry for one day, before all others. Begins at once if its time has come. False: its time is over or empty, its person is not there, or it
+	// is an accompany.
+	bool insert_entry(const InsertedEntry &entry);
+	// The game has the person from now on: it leaves its rule, group, seat and building; its body is freed, for the game shows it. It counts as
+	// waiting outdoors. False: it is not there, or was taken already.
+	bool take_over(PersonId id);
+	// Where the game has a person whom it took over. False: it did not.
+	bool place_taken(PersonId id, glm::vec3 position);
+	// Gives it back: it gets a body where it is and goes on with its agenda from there.
+	bool release(PersonId id);
+	// Gone for good; its id stays. False: it is not there.
+	bool remove_person(PersonId id);
+
 	size_t person_count() const { return _persons.size(); }
 	PersonState state(PersonId id) const { return _persons[index_of(id)].state; }
 	glm::vec3 position(PersonId id) const;
@@ -102,6 +124,9 @@ public:
 	uint32_t inside_count(BuildingId building) const;
 	std::vector<PersonId> persons_inside(BuildingId building) const;
 	std::vector<PersonId> persons_outside() const;
+	bool is_living(PersonId id) const { return index_of(id) < _persons.size() && !record(id).is_absent(); }
+	// The entry or hole of its agenda, with what was inserted, that holds at that time.
+	PlannedEntry plan_at(PersonId id, SimTime time) const;
 	bool is_place_free(ObjectId object) const { return _reservations.is_free(_city, object); }
 
 	const SimulationStatistics &statistics() const { return _statistics; }
@@ -136,7 +161,8 @@ private:
 	void wake(PersonId id);
 	void on_due(PersonId id);
 	void schedule(PersonId id);
-	void take_in_city_edits();
+	bool take_in_city_edits();
+	void make_room();
 
 	// simulation_report.cpp: what observers and the host hear
 	void emit(PersonId id, SimEventKind kind, Target place = {});
@@ -146,6 +172,7 @@ private:
 	bool has_bodies() const { return _settings.has_live_bodies && !_is_replaying; }
 	void show_standing(PersonId id);
 	void show_walking(PersonId id);
+	void show_person(PersonId id);
 
 	// simulation_walk.cpp: being somewhere and getting elsewhere
 	bool go_to_building(PersonId id, BuildingId building, Purpose purpose);
@@ -180,7 +207,7 @@ private:
 	// simulation_groups.cpp: walking together
 	void begin_accompany(PersonId id, uint32_t group);
 	uint32_t call_party(uint32_t group, PersonId caller);
-	bool is_expected(PersonId id, uint32_t group, SimTime entry_start) const;
+	bool is_expected(PersonId id, uint32_t group, PersonId caller) const;
 	void lead_on(uint32_t party);
 	bool is_with_leader(PersonId leader, PersonId joiner) const;
 	void collect_here(Party &party);
@@ -194,10 +221,19 @@ private:
 	void go_alone(PersonId id);
 	void end_party(uint32_t party);
 	void go_on_after_group(PersonId id);
+	void leave_party(PersonId id);
+
+	// simulation_edits.cpp
+	void mend_goals();
+	bool has_place(const Target &place, const PersonRecord &person, glm::vec3 position) const;
+	void mend_goal(PersonId id);
+	void put_out(PersonId id);
+	void drop_everything(PersonId id);
 
 	// time_jump.cpp
 	void place_everybody(SimTime time);
 	void replay_household(const Household &household, SimTime time);
+	void end_replay(SimTime time, size_t first_person);
 	SimTime find_anchor(const Household &household, SimTime time) const;
 	bool is_settled(PersonId id, SimTime time, BuildingId &building) const;
 	BuildingId building_of(PersonId id, const PlannedEntry &entry) const;
@@ -215,6 +251,8 @@ private:
 	SimulationSettings _settings;
 	AgentHost *_host;
 
+	static constexpr int32_t never_taken = std::numeric_limits<int32_t>::min();
+
 	SimTime _now;
 	bool _has_started = false;
 	bool _is_replaying = false; // during a jump: nobody is told anything
@@ -229,6 +267,7 @@ private:
 	std::vector<uint32_t> _party_of_group; // by group
 	std::vector<Party> _parties;
 	std::vector<uint32_t> _free_parties;
+	InsertedEntries _inserted;
 	WalkPool _walks;
 	Reservations _reservations;
 	std::unique_ptr<agenda::World> _rule_world; // null without a program

@@ -51,7 +51,7 @@ uint32_t Simulation::call_party(uint32_t group, PersonId caller) {
 		party.collected.clear();
 		party.pending.clear();
 		for (PersonId joiner : plan.joiners) {
-			if (joiner != plan.leader && is_expected(joiner, group, record(caller).entry_start)) {
+			if (joiner != plan.leader && is_expected(joiner, group, caller)) {
 				party.pending.push_back(joiner);
 			}
 		}
@@ -64,9 +64,16 @@ uint32_t Simulation::call_party(uint32_t group, PersonId caller) {
 	return index;
 }
 
-// Whether the group is in the person's agenda on the day of that entry: newer entries may have removed it.
-bool Simulation::is_expected(PersonId id, uint32_t group, SimTime entry_start) const {
-	if (index_of(id) >= _persons.size()) {
+// Whether the group is in the person's agenda on the day of the caller's entry, since newer entries may have removed it, and not over for it: the
+// game may have kept the caller for long.
+bool Simulation::is_expected(PersonId id, uint32_t group, PersonId caller) const {
+	if (index_of(id) >= _persons.size() || record(id).is_absent()) {
+		return false;
+	}
+	const SimTime entry_start = record(caller).entry_start;
+	const PlannedEntry present = entry_of(id);
+	if (id != caller && present.kind == TaskKind::Accompany && present.target == group && present.start >= entry_start &&
+			!record(id).is_in_group()) {
 		return false;
 	}
 	for (const Task &task : _agendas.tasks_of(id)) {
@@ -257,10 +264,35 @@ void Simulation::go_alone(PersonId id) {
 	close_span(id);
 	record(id).party = PersonRecord::none;
 	record(id).due = record(id).state == PersonState::Walking ? record(id).due : never;
-	if (record(id).entry_end > _now) {
-		begin_stay(id, goal);
-	}
+	record(id).entry_end > _now ? begin_stay(id, goal) : begin_entry(id);
 	schedule(id);
+}
+
+// A member is called away, or gone. Without a leader the others go alone.
+void Simulation::leave_party(PersonId id) {
+	const uint32_t index = record(id).party;
+	if (index == PersonRecord::none) {
+		return;
+	}
+	Party &party = _parties[index];
+	record(id).party = PersonRecord::none;
+	record(id).due = never;
+	std::erase(party.pending, id);
+	std::erase(party.collected, id);
+	if (id != party.leader) {
+		const bool is_led = index_of(party.leader) < _persons.size() && record(party.leader).party == index;
+		is_led ? lead_on(index) : (party.pending.empty() ? end_party(index) : void());
+		return;
+	}
+	for (PersonId member : party.collected) {
+		if (record(member).state == PersonState::Walking) {
+			stop_walk(member);
+			show_standing(member);
+		}
+	}
+	party.pending.insert(party.pending.end(), party.collected.begin(), party.collected.end());
+	party.collected.clear();
+	end_party(index);
 }
 
 // Everybody goes on with its own agenda.

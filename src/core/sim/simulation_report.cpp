@@ -35,7 +35,7 @@ void Simulation::close_span(PersonId id) {
 	const float first_metre = person.first_metre;
 	person.since = _now;
 	person.first_metre = person.walk == WalkPool::none ? 0.0f : float(_walks[person.walk].metres_at(_now));
-	if (_is_replaying || _observers.empty() || start >= _now) {
+	if (_is_replaying || _observers.empty() || start >= _now || person.presence == Presence::Removed) {
 		return;
 	}
 	LivedSpan span;
@@ -102,16 +102,23 @@ void Simulation::show_walking(PersonId id) {
 void Simulation::show_everybody() {
 	for (uint32_t i = 0; i < _persons.size() && has_bodies(); ++i) {
 		const PersonId id = PersonId(i);
-		if (is_outside(id)) {
-			_host->spawn_agent(id, position(id));
-			_persons[i].state == PersonState::Walking ? show_walking(id) : show_standing(id);
+		if (is_outside(id) && !_persons[i].is_absent()) {
+			show_person(id);
 		}
+	}
+}
+
+// Outdoors, with a new body.
+void Simulation::show_person(PersonId id) {
+	if (has_bodies()) {
+		_host->spawn_agent(id, position(id));
+		state(id) == PersonState::Walking ? show_walking(id) : show_standing(id);
 	}
 }
 
 void Simulation::hide_everybody() {
 	for (uint32_t i = 0; i < _persons.size() && has_bodies(); ++i) {
-		if (is_outside(PersonId(i))) {
+		if (is_outside(PersonId(i)) && !_persons[i].is_absent()) {
 			_host->free_agent(PersonId(i));
 		}
 	}

@@ -13,9 +13,20 @@ constexpr Duration lateness_allowed = Duration{ 1000 }; // walks and rule files 
 constexpr uint64_t slot_stream = 0x736C6F74; // keeps draws for floating slots apart from those of rules
 }
 
+PlannedEntry Simulation::plan_at(PersonId id, SimTime time) const {
+	const std::span<const Task> tasks = _agendas.tasks_of(id);
+	return _inserted.is_empty() ? planned_entry_at(tasks, time) : planned_entry_at(tasks, _inserted.of(id), time);
+}
+
 PlannedEntry Simulation::entry_of(PersonId id) const {
 	const PersonRecord &person = record(id);
-	const uint32_t target = person.is_in_hole() ? PersonRecord::none : _agendas.tasks_of(id)[person.entry_task].target;
+	uint32_t target = PersonRecord::none;
+	if (person.entry_task == PlannedEntry::inserted) {
+		const InsertedEntry *entry = _inserted.at(id, person.entry_start);
+		target = entry != nullptr ? entry->target : target;
+	} else if (!person.is_in_hole()) {
+		target = _agendas.tasks_of(id)[person.entry_task].target;
+	}
 	return { person.entry_start, person.entry_end, target, person.entry_task, person.entry_kind };
 }
 
@@ -25,12 +36,12 @@ void Simulation::begin_entry(PersonId id) {
 	if (person.behavior != PersonRecord::none) {
 		end_rule(id, SimEventKind::RuleCut);
 	}
-	const PlannedEntry entry = planned_entry_at(_agendas.tasks_of(id), _now);
+	const PlannedEntry entry = plan_at(id, _now);
 	person.entry_start = entry.start;
 	person.entry_end = entry.end;
 	person.entry_task = entry.task;
 	person.entry_kind = entry.kind;
-	person.is_late_noted = false;
+	person.can_be_late = !entry.is_hole() && entry.kind == TaskKind::StayInside && !entry.is_start_cut;
 	person.due = person.state == PersonState::Walking ? person.due : never;
 	const BuildingId building = building_of(id, entry);
 	emit(id, SimEventKind::TaskStarted, is_valid(building) ? target_of(building) : Target{});
@@ -72,11 +83,9 @@ void Simulation::begin_stay(PersonId id, BuildingId building) {
 // See SimulationStatistics::late_arrivals.
 void Simulation::note_lateness(PersonId id) {
 	PersonRecord &person = record(id);
-	const bool counts = !person.is_in_hole() && person.entry_kind == TaskKind::StayInside && !person.is_late_noted &&
-			!_agendas.tasks_of(id)[person.entry_task].is_start_cut;
-	const bool is_there = counts && person.state == PersonState::Inside && person.place == entry_of(id).target;
+	const bool is_there = person.can_be_late && person.state == PersonState::Inside && person.place == entry_of(id).target;
 	if (is_there && _now > person.entry_start + lateness_allowed) {
-		person.is_late_noted = true;
+		person.can_be_late = false;
 		_statistics.late_arrivals += _is_replaying ? 0 : 1;
 		emit(id, SimEventKind::ArrivedLate, person.target());
 	}
@@ -146,7 +155,7 @@ void Simulation::end_rule(PersonId id, SimEventKind how) {
 
 // On to where the next entry wants the person, if that follows without a hole and is a place; else home.
 void Simulation::idle_until_next(PersonId id) {
-	const PlannedEntry next = planned_entry_at(_agendas.tasks_of(id), record(id).entry_end);
+	const PlannedEntry next = plan_at(id, record(id).entry_end);
 	const bool is_stay = next.kind == TaskKind::StayInside || next.kind == TaskKind::GoToBuilding;
 	const BuildingId goal = is_stay ? building_of(id, next) : home_of(id);
 	begin_stay(id, is_valid(goal) ? goal : home_of(id));

@@ -40,7 +40,18 @@ void Simulation::forget_everything() {
 			_free_behaviors.push_back(person.behavior);
 		}
 	}
-	_persons.assign(_persons.size(), PersonRecord());
+	_statistics.outside = 0;
+	for (PersonRecord &person : _persons) {
+		PersonRecord anew;
+		if (person.is_absent()) {
+			anew.presence = person.presence;
+			anew.position = person.position;
+			anew.entry_end = never;
+			anew.state = person.presence == Presence::Taken ? PersonState::Waiting : PersonState::Inside;
+			_statistics.outside += person.presence == Presence::Taken ? 1 : 0;
+		}
+		person = anew;
+	}
 	_queue.clear();
 	_replay_queue.clear();
 	_walks.clear();
@@ -48,24 +59,25 @@ void Simulation::forget_everything() {
 	_parties.clear();
 	_free_parties.clear();
 	std::fill(_party_of_group.begin(), _party_of_group.end(), PersonRecord::none);
-	std::fill(_floating_taken.begin(), _floating_taken.end(), std::numeric_limits<int32_t>::min());
+	std::fill(_floating_taken.begin(), _floating_taken.end(), never_taken);
 	std::fill(_inside_counts.begin(), _inside_counts.end(), 0);
-	_statistics.outside = 0;
 }
 
 void Simulation::place_everybody(SimTime time) {
 	forget_everything();
 	_is_replaying = true;
-	_active_queue = &_replay_queue;
 	for (const Household &household : _population.households) {
-		if (household.member_count > 0 && index_of(household.first_member) + household.member_count <= _persons.size()) {
-			replay_household(household, time);
-		}
+		replay_household(household, time);
 	}
-	_active_queue = &_queue;
+	end_replay(time, 0);
+}
+
+// Persons from the first on were replayed: a life from `time` on begins for them.
+void Simulation::end_replay(SimTime time, size_t first_person) {
 	_is_replaying = false;
 	_now = time;
-	for (PersonRecord &person : _persons) {
+	for (size_t i = first_person; i < _persons.size(); ++i) {
+		PersonRecord &person = _persons[i];
 		person.since = time;
 		person.first_metre = person.walk == WalkPool::none ? 0.0f : float(_walks[person.walk].metres_at(time));
 	}
@@ -77,10 +89,16 @@ void Simulation::place_everybody(SimTime time) {
 
 void Simulation::replay_household(const Household &household, SimTime time) {
 	const uint32_t first = index_of(household.first_member);
+	if (household.member_count == 0 || first + household.member_count > _persons.size()) {
+		return;
+	}
+	_active_queue = &_replay_queue;
 	const SimTime anchor = find_anchor(household, time);
 	_now = anchor;
 	for (uint32_t i = 0; i < household.member_count; ++i) {
-		put_inside(PersonId(first + i), anchor);
+		if (!_persons[first + i].is_absent()) {
+			put_inside(PersonId(first + i), anchor);
+		}
 	}
 	run_queue(_replay_queue, time);
 	while (!_replay_queue.is_empty()) {
@@ -89,6 +107,7 @@ void Simulation::replay_household(const Household &household, SimTime time) {
 			_queue.push(due);
 		}
 	}
+	_active_queue = &_queue;
 }
 
 // Where the entry leads, if it is a stay, a walk or a hole; Invalid for the others and for homes that are not there.
@@ -102,15 +121,14 @@ BuildingId Simulation::building_of(PersonId id, const PlannedEntry &entry) const
 
 // Whether the agenda has had the person in that building for so long that it surely is there.
 bool Simulation::is_settled(PersonId id, SimTime time, BuildingId &building) const {
-	const std::span<const Task> tasks = _agendas.tasks_of(id);
-	PlannedEntry entry = planned_entry_at(tasks, time);
+	PlannedEntry entry = plan_at(id, time);
 	building = building_of(id, entry);
 	const BuildingId home = home_of(id);
 	if (!is_valid(building) || (building != home && !std::isfinite(_paths.distance(home, building)))) {
 		return false;
 	}
 	while (time - entry.start < _settling) {
-		entry = planned_entry_at(tasks, entry.start - Duration{ 1 });
+		entry = plan_at(id, entry.start - Duration{ 1 });
 		if (building_of(id, entry) != building) {
 			return false;
 		}
@@ -125,9 +143,12 @@ SimTime Simulation::find_anchor(const Household &household, SimTime time) const 
 		bool are_settled = true;
 		SimTime latest_start{ std::numeric_limits<int64_t>::min() };
 		for (uint32_t member = first; member < first + household.member_count; ++member) {
+			if (_persons[member].is_absent()) {
+				continue;
+			}
 			BuildingId building;
 			are_settled = are_settled && is_settled(PersonId(member), candidate, building);
-			latest_start = std::max(latest_start, planned_entry_at(_agendas.tasks_of(PersonId(member)), candidate).start);
+			latest_start = std::max(latest_start, plan_at(PersonId(member), candidate).start);
 		}
 		if (are_settled) {
 			return candidate;
@@ -140,7 +161,7 @@ SimTime Simulation::find_anchor(const Household &household, SimTime time) const 
 // Into the building that the agenda says; home where it says none. The entry goes on, or begins anew where it is a rule or the like.
 void Simulation::put_inside(PersonId id, SimTime time) {
 	PersonRecord &person = record(id);
-	const PlannedEntry entry = planned_entry_at(_agendas.tasks_of(id), time);
+	const PlannedEntry entry = plan_at(id, time);
 	BuildingId building;
 	const bool goes_on = is_settled(id, time, building);
 	building = is_valid(building) && goes_on ? building : home_of(id);

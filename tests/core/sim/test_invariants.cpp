@@ -1,49 +1,11 @@
 #include <doctest/doctest.h>
 
-#include "core/base/random.h"
 #include "core/sim/invariants.h"
 #include "core/sim/lived_log.h"
-#include "tests/core/sim/town.h"
+#include "tests/core/sim/random_town.h"
 
 using namespace pcg;
 using namespace pcg::test;
-
-namespace {
-
-// Households of an adult and up to three children with days full of stays, walks and group walks, late ones among them.
-void fill_at_random(Town &town, uint64_t seed) {
-	Random random(seed);
-	std::vector<BuildingId> buildings;
-	for (int i = 0; i < 15; ++i) {
-		buildings.push_back(town.building(i % 3 ? "house" : "school", float(random.uniform(0, 700)), float(random.uniform(0, 700))));
-	}
-	for (int i = 0; i < 12; ++i) {
-		town.household(buildings[random.index(15)]);
-		const PersonId adult = town.person(40.0f, float(random.uniform(0.9, 1.6)));
-		std::vector<PersonId> children;
-		for (size_t child = random.index(4); child > 0; --child) {
-			children.push_back(town.person(8.0f, float(random.uniform(0.6, 1.2))));
-		}
-		std::vector<int32_t> times(children.size() + 1, at(5) + int32_t(random.index(7'200'000)));
-		while (times[0] < at(20)) {
-			for (size_t member = 0; member < times.size(); ++member) {
-				const int32_t end = times[member] + 1000 + int32_t(random.index(random.chance(0.3) ? 300'000 : 5'000'000));
-				const PersonId id = member == 0 ? adult : children[member - 1];
-				random.chance(0.5) ? town.go(id, times[member], end, buildings[random.index(15)])
-								   : town.stay(id, times[member], end, buildings[random.index(15)]);
-				times[member] = end;
-			}
-			if (!children.empty() && random.chance(0.8)) { // all entries before it end, then the walk together
-				const int32_t start = *std::max_element(times.begin(), times.end());
-				const int32_t end = start + 1000 + int32_t(random.index(1'800'000));
-				town.accompany(adult, children, start, end, buildings[random.index(15)]);
-				std::fill(times.begin(), times.end(), end);
-			}
-		}
-	}
-}
-
-} // namespace
 
 TEST_CASE("all promises hold over random days, stepped and jumped") {
 	for (uint64_t seed = 1; seed <= 12; ++seed) {

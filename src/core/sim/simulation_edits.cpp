@@ -1,0 +1,255 @@
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
+#include "core/semantics/city_query.h"
+#include "core/sim/behavior.h"
+#include "core/sim/simulation.h"
+
+// What changes while a simulation runs: the city around people, the people, and whose they are.
+namespace pcg {
+
+namespace {
+constexpr float arm_length = 0.01f; // metres within which somebody is where it should be
+constexpr float zone_margin = 2.0f; // paths end on the navigation mesh, this far from the zone at most
+constexpr Duration kept_insertions = Duration::hours(14 * 24); // for jumps back
+}
+
+// After edits of the city. Costs time proportional to the population.
+void Simulation::mend_goals() {
+	for (uint32_t i = 0; i < _persons.size(); ++i) {
+		const BuildingId building = _persons[i].target().building();
+		const bool is_gone = index_of(building) < _city.buildings().size() && _city.building(building).is_removed;
+		if (is_gone && _persons[i].state == PersonState::Inside && !_persons[i].is_absent()) {
+			put_out(PersonId(i));
+		}
+	}
+	for (uint32_t i = 0; i < _persons.size(); ++i) {
+		PersonRecord &person = _persons[i];
+		const bool walks = person.state == PersonState::Walking;
+		if (person.is_absent() || person.state == PersonState::Inside ||
+				has_place(person.target(), person, walks ? _walks[person.walk].points.back() : person.position)) {
+			continue;
+		}
+		if (person.state == PersonState::Waiting) { // stood before a door
+			person.place_kind = Target::Kind::None;
+			person.place = PersonRecord::none;
+		} else {
+			mend_goal(PersonId(i));
+		}
+	}
+}
+
+// Whether the place is still where somebody is or comes out.
+bool Simulation::has_place(const Target &place, const PersonRecord &person, glm::vec3 position) const {
+	const auto is_here = [position](glm::vec3 point) { return glm::distance(point, position) <= arm_length; };
+	switch (place.kind) {
+		case Target::Kind::Building: {
+			const std::vector<EntranceId> &doors = _city.building(place.building()).entrances;
+			return std::any_of(doors.begin(), doors.end(),
+					[&](EntranceId door) { return !_city.entrance(door).is_removed && is_here(_city.entrance(door).position); });
+		}
+		case Target::Kind::Zone: {
+			const Zone &zone = _city.zone(place.zone());
+			const glm::vec3 away = nearest_point(zone, position) - position;
+			return !zone.is_removed && glm::length(glm::vec3(away.x, 0.0f, away.z)) <= zone_margin;
+		}
+		case Target::Kind::Object: {
+			const CityObject &object = _city.object(place.object());
+			return !object.is_removed && person.object_place < object.places.size() && is_here(object.places[person.object_place].position);
+		}
+		case Target::Kind::Person:
+		case Target::Kind::None:
+			return true;
+	}
+	return true;
+}
+
+// The place of somebody outdoors is not where it was. What led there begins anew.
+void Simulation::mend_goal(PersonId id) {
+	PersonRecord &person = record(id);
+	const Target place = person.target();
+	const bool walks_in_group = person.purpose == Purpose::Group || person.purpose == Purpose::Pickup;
+	if (person.is_in_group() && person.state == PersonState::Walking && walks_in_group) {
+		Party &party = _parties[person.party];
+		if (party.leader == id) { // for all of them
+			emit(id, SimEventKind::GoalChanged, place);
+			stop_walk(id);
+			for (PersonId member : party.collected) {
+				stop_walk(member);
+				show_standing(member);
+				schedule(member);
+			}
+			show_standing(id);
+			lead_on(person.party);
+			schedule(id);
+		}
+		return;
+	}
+	emit(id, SimEventKind::GoalChanged, place);
+	if (person.state == PersonState::Walking) {
+		stop_walk(id);
+		show_standing(id);
+	}
+	release_place(id);
+	person.due = never;
+	if (person.behavior == PersonRecord::none) {
+		begin_stay(id, place.building());
+		person.due = person.is_in_group() && person.state == PersonState::Waiting ? _now + _settings.patience : person.due;
+	} else if (_behaviors[person.behavior]->begin_again() != RunState::Paused) {
+		end_rule(id, SimEventKind::RuleEnded);
+	}
+	schedule(id);
+}
+
+// Out of a building that is gone. Rules and groups go on outdoors.
+void Simulation::put_out(PersonId id) {
+	emit(id, SimEventKind::GoalChanged, record(id).target());
+	leave_building(id, record(id).position);
+	show_standing(id);
+	if (record(id).behavior == PersonRecord::none && !record(id).is_in_group()) {
+		begin_stay(id, home_of(id));
+	}
+	schedule(id);
+}
+
+bool Simulation::take_in_people() {
+	const size_t before = _persons.size();
+	if (_population.persons.size() != _agendas.person_count()) {
+		return false;
+	}
+	make_room();
+	take_in_city_edits();
+	if (!_has_started || _persons.size() == before) {
+		return true;
+	}
+	const SimTime now = _now;
+	_is_replaying = true;
+	for (const Household &household : _population.households) {
+		if (index_of(household.first_member) >= before) {
+			replay_household(household, now);
+		}
+	}
+	end_replay(now, before);
+	for (size_t i = before; i < _persons.size(); ++i) {
+		const PersonId id = PersonId(uint32_t(i));
+		emit(id, SimEventKind::Added, record(id).target());
+		if (is_outside(id)) {
+			show_person(id);
+		}
+	}
+	return true;
+}
+
+bool Simulation::insert_entry(const InsertedEntry &entry) {
+	const bool is_possible = is_living(entry.person) && entry.start < entry.end && entry.end > _now && entry.kind != TaskKind::Accompany;
+	if (!is_possible) {
+		return false;
+	}
+	_inserted.drop_before(_now - kept_insertions);
+	_inserted.insert(entry);
+	PersonRecord &person = record(entry.person);
+	if (!_has_started || entry.start >= person.entry_end) {
+		return true;
+	}
+	person.entry_end = std::max(entry.start, _now);
+	person.rule_end = std::min(person.rule_end, person.behavior != PersonRecord::none ? person.entry_end : never);
+	if (person.entry_end <= _now && !person.is_in_group()) {
+		begin_entry(entry.person);
+	}
+	schedule(entry.person);
+	return true;
+}
+
+// Its rule, group, walk and seat.
+void Simulation::drop_everything(PersonId id) {
+	PersonRecord &person = record(id);
+	close_span(id);
+	if (person.behavior != PersonRecord::none) {
+		_behaviors[person.behavior]->end();
+		_free_behaviors.push_back(person.behavior);
+		person.behavior = PersonRecord::none;
+		person.rule_end = never;
+		emit(id, SimEventKind::RuleCut);
+	}
+	if (person.state == PersonState::Walking) {
+		stop_walk(id);
+		show_standing(id);
+	}
+	leave_party(id);
+	release_place(id);
+	person.due = never;
+	person.queued = never;
+	person.entry_start = _now;
+	person.entry_end = never;
+	person.entry_task = PlannedEntry::hole;
+	person.entry_kind = TaskKind::StayInside;
+}
+
+bool Simulation::take_over(PersonId id) {
+	if (!_has_started || !is_living(id)) {
+		return false;
+	}
+	emit(id, SimEventKind::TakenOver);
+	drop_everything(id);
+	if (!is_outside(id)) {
+		leave_building(id, record(id).position);
+	}
+	if (has_bodies()) {
+		_host->free_agent(id);
+	}
+	PersonRecord &person = record(id);
+	person.state = PersonState::Waiting;
+	person.pose = AgentPose::Stand;
+	person.place_kind = Target::Kind::None;
+	person.place = PersonRecord::none;
+	person.presence = Presence::Taken;
+	return true;
+}
+
+bool Simulation::place_taken(PersonId id, glm::vec3 position) {
+	if (index_of(id) >= _persons.size() || record(id).presence != Presence::Taken) {
+		return false;
+	}
+	record(id).position = position;
+	return true;
+}
+
+bool Simulation::release(PersonId id) {
+	if (index_of(id) >= _persons.size() || record(id).presence != Presence::Taken) {
+		return false;
+	}
+	close_span(id);
+	record(id).presence = Presence::Living;
+	show_person(id);
+	emit(id, SimEventKind::Released);
+	begin_entry(id);
+	schedule(id);
+	return true;
+}
+
+bool Simulation::remove_person(PersonId id) {
+	if (!_has_started || index_of(id) >= _persons.size() || record(id).presence == Presence::Removed) {
+		return false;
+	}
+	PersonRecord &person = record(id);
+	const bool has_body = is_outside(id) && !person.is_absent();
+	emit(id, SimEventKind::Removed);
+	drop_everything(id);
+	if (is_outside(id)) {
+		change_outside(-1);
+	} else if (index_of(person.target().building()) < _inside_counts.size()) {
+		--_inside_counts[person.place];
+	}
+	if (has_body && has_bodies()) {
+		_host->free_agent(id);
+	}
+	_inserted.drop(id);
+	person.state = PersonState::Inside;
+	person.place_kind = Target::Kind::None;
+	person.place = PersonRecord::none;
+	person.presence = Presence::Removed;
+	return true;
+}
+
+} // namespace pcg
