@@ -1,10 +1,13 @@
 #include "cli/derive_report.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include <glm/common.hpp>
 #include <nlohmann/json.hpp>
+
+#include "core/cga/instances.h"
 
 namespace pcg::cli {
 
@@ -38,12 +41,21 @@ json zones_json(const cga::DerivationResult &model) {
 
 json objects_json(const cga::DerivationResult &model) {
 	json list = json::array();
+	std::vector<size_t> faces;
+	for (const cga::ModelObject &object : model.objects) {
+		faces.push_back(object.mesh.faces.size());
+	}
+	for (const cga::ModelInstance &instance : model.instances) {
+		if (instance.object >= 0) {
+			faces[size_t(instance.object)] += model.prototypes[instance.prototype].mesh->faces.size();
+		}
+	}
 	for (const cga::ModelObject &object : model.objects) {
 		json places = json::array();
 		for (const cga::ModelPlace &place : object.places) {
 			places.push_back({ { "position", to_json(place.position) }, { "facing", to_json(place.facing) } });
 		}
-		list.push_back({ { "type", object.tag }, { "position", to_json(glm::vec3(object.frame[3])) }, { "faces", object.mesh.faces.size() },
+		list.push_back({ { "type", object.tag }, { "position", to_json(glm::vec3(object.frame[3])) }, { "faces", faces[list.size()] },
 				{ "parent", object.parent }, { "places", places } });
 	}
 	return list;
@@ -76,25 +88,44 @@ json materials_json(const cga::DerivationResult &model) {
 	return list;
 }
 
-json bounds_json(const Mesh &mesh) {
-	if (mesh.positions.empty()) {
-		return nullptr;
-	}
-	glm::vec3 low = mesh.positions[0], high = low;
-	for (const glm::vec3 &point : mesh.positions) {
-		low = glm::min(low, point);
-		high = glm::max(high, point);
-	}
-	return { to_json(low), to_json(high) };
-}
+// Of the lot's mesh and its instances.
+struct Figures {
+	size_t faces = 0, vertices = 0;
+	double surface = 0.0;
+	glm::vec3 low{ INFINITY }, high{ -INFINITY };
 
+	explicit Figures(const cga::DerivationResult &model) {
+		add(model.mesh);
+		Mesh written;
+		for (const cga::ModelInstance &instance : model.instances) {
+			if (instance.object < 0) {
+				written = Mesh();
+				cga::append(written, model, instance);
+				add(written);
+			}
+		}
+	}
+	json bounds() const { return vertices == 0 ? json() : json{ to_json(low), to_json(high) }; }
+
+private:
+	void add(const Mesh &mesh) {
+		faces += mesh.faces.size();
+		vertices += mesh.positions.size();
+		surface += area(mesh);
+		for (const glm::vec3 &point : mesh.positions) {
+			low = glm::min(low, point);
+			high = glm::max(high, point);
+		}
+	}
+};
 
 json shapes_json(const DeriveOutcome &outcome) {
 	json list = json::array();
 	for (size_t i = 0; i < outcome.models.size(); ++i) {
 		const cga::DerivationResult &model = outcome.models[i];
-		list.push_back({ { "name", outcome.names[i] }, { "faces", model.mesh.faces.size() }, { "vertices", model.mesh.positions.size() },
-				{ "area", area(model.mesh) }, { "bbox", bounds_json(model.mesh) }, { "reports", reports_json(model) } });
+		const Figures figures(model);
+		list.push_back({ { "name", outcome.names[i] }, { "faces", figures.faces }, { "vertices", figures.vertices }, { "area", figures.surface },
+				{ "bbox", figures.bounds() }, { "reports", reports_json(model) } });
 	}
 	return list;
 }
@@ -113,8 +144,20 @@ void add_reports(cga::DerivationResult &sum, const cga::DerivationResult &model)
 	}
 }
 
+// With all instances.
 void add_objects(cga::DerivationResult &sum, const cga::DerivationResult &model, uint32_t material_offset) {
 	const int32_t first = int32_t(sum.objects.size());
+	for (cga::ModelInstance instance : model.instances) {
+		instance.prototype += uint32_t(sum.prototypes.size());
+		instance.object += instance.object >= 0 ? first : 0;
+		sum.instances.push_back(instance);
+	}
+	for (cga::ModelPrototype prototype : model.prototypes) {
+		for (uint32_t &material : prototype.materials) {
+			material += material_offset;
+		}
+		sum.prototypes.push_back(std::move(prototype));
+	}
 	for (cga::ModelObject object : model.objects) {
 		for (MeshFace &face : object.mesh.faces) {
 			face.material += material_offset;
@@ -160,8 +203,8 @@ cga::DerivationResult sum_of(std::span<const cga::DerivationResult> models) {
 
 std::string report_json(const DeriveOutcome &outcome, const Diagnostics &diagnostics) {
 	const cga::DerivationResult &model = outcome.sum;
-	const json document = { { "faces", model.mesh.faces.size() }, { "vertices", model.mesh.positions.size() }, { "area", area(model.mesh) },
-		{ "bbox", bounds_json(model.mesh) }, { "shapes", model.shape_count }, { "leaves", model.leaf_count }, { "materials", materials_json(model) },
+	const Figures figures(model);
+	const json document = { { "faces", figures.faces }, { "vertices", figures.vertices }, { "area", figures.surface }, { "bbox", figures.bounds() }, { "shapes", model.shape_count }, { "leaves", model.leaf_count }, { "materials", materials_json(model) },
 		{ "reports", reports_json(model) }, { "prints", model.prints }, { "entrances", entrances_json(model) }, { "zones", zones_json(model) },
 		{ "objects", objects_json(model) }, { "initial_shapes", shapes_json(outcome) }, { "diagnostics", diagnostics_json(diagnostics) },
 		{ "seconds", outcome.seconds } };
@@ -170,7 +213,8 @@ std::string report_json(const DeriveOutcome &outcome, const Diagnostics &diagnos
 
 void print_summary(const DeriveOutcome &outcome) {
 	const cga::DerivationResult &model = outcome.sum;
-	std::printf("%zu faces, %.1f m2, %zu materials, %llu shapes, %.2f ms\n", model.mesh.faces.size(), area(model.mesh), model.materials.size(),
+	const Figures figures(model);
+	std::printf("%zu faces, %.1f m2, %zu materials, %llu shapes, %.2f ms\n", figures.faces, figures.surface, model.materials.size(),
 			static_cast<unsigned long long>(model.shape_count), outcome.seconds * 1000.0);
 	for (const cga::ModelEntrance &entrance : model.entrances) {
 		std::printf("entrance %s at %.2f %.2f %.2f, capacity %u\n", entrance.type.c_str(), entrance.position.x, entrance.position.y, entrance.position.z,
@@ -212,8 +256,9 @@ std::string obj_text(const DeriveOutcome &outcome) {
 	};
 	size_t object_count = 0;
 	for (size_t i = 0; i < outcome.models.size(); ++i) {
-		add_mesh(outcome.models[i].mesh, glm::mat4(1.0f), outcome.names[i]);
-		for (const cga::ModelObject &object : outcome.models[i].objects) {
+		const cga::DerivationResult model = cga::written_out(outcome.models[i]);
+		add_mesh(model.mesh, glm::mat4(1.0f), outcome.names[i]);
+		for (const cga::ModelObject &object : model.objects) {
 			add_mesh(object.mesh, object.frame, "object_" + std::to_string(object_count++));
 		}
 	}

@@ -1,5 +1,6 @@
 #include "godot/city_materials.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -9,13 +10,16 @@
 #include <godot_cpp/classes/image_texture.hpp>
 #include <godot_cpp/classes/mesh.hpp>
 #include <godot_cpp/classes/resource_loader.hpp>
+#include <godot_cpp/variant/packed_byte_array.hpp>
 #include <godot_cpp/variant/packed_color_array.hpp>
 #include <godot_cpp/variant/packed_float32_array.hpp>
 #include <godot_cpp/variant/packed_int32_array.hpp>
 #include <godot_cpp/variant/packed_vector2_array.hpp>
 
 #include "core/geometry/shown_material.h"
+#include "core/io/asset_reader.h"
 #include "godot/convert.h"
+#include "godot/ports/engine_tree.h"
 
 using namespace godot;
 
@@ -219,6 +223,29 @@ bool CityMaterials::set_picture(const Ref<StandardMaterial3D> &target, BaseMater
 	return true;
 }
 
+namespace {
+
+// Null, or an empty one, if it cannot be read.
+Ref<Image> read_image(const std::string &file) {
+	const String path = pcg::to_godot(std::string_view(file));
+	if (FileAccess::file_exists(path)) {
+		return Image::load_from_file(path);
+	}
+	constexpr size_t limit = size_t(256) << 20;
+	const Result<std::string> bytes = read_picture(EngineTree(), file, limit); // one within a glTF file
+	Ref<Image> image;
+	if (bytes) {
+		PackedByteArray buffer;
+		buffer.resize(int64_t(bytes->size()));
+		std::copy(bytes->begin(), bytes->end(), buffer.ptrw());
+		image.instantiate();
+		bytes->starts_with("\x89PNG") ? image->load_png_from_buffer(buffer) : image->load_jpg_from_buffer(buffer);
+	}
+	return image;
+}
+
+} // namespace
+
 // Imported pictures of the project as resources; others are read as they are.
 Ref<Texture2D> CityMaterials::picture(const std::string &file) {
 	const auto [place, is_new] = _pictures.try_emplace(file);
@@ -229,17 +256,17 @@ Ref<Texture2D> CityMaterials::picture(const std::string &file) {
 	ResourceLoader *loader = ResourceLoader::get_singleton();
 	if (loader->exists(path, "Texture2D")) {
 		place->second = loader->load(path, "Texture2D");
-	} else if (FileAccess::file_exists(path)) {
-		const Ref<Image> image = Image::load_from_file(path);
-		if (image.is_valid() && !image->is_empty()) {
-			image->generate_mipmaps();
-			place->second = ImageTexture::create_from_image(image);
-		}
+		return place->second;
+	}
+	const Ref<Image> image = read_image(file);
+	if (image.is_valid() && !image->is_empty()) {
+		image->generate_mipmaps();
+		place->second = ImageTexture::create_from_image(image);
 	}
 	return place->second;
 }
 
-Ref<ArrayMesh> CityMaterials::to_godot(const Mesh &mesh, const std::vector<Material> &materials) {
+Ref<ArrayMesh> CityMaterials::to_godot(const Mesh &mesh, const std::vector<Material> &materials, bool is_white) {
 	std::vector<std::pair<const Entry *, Arrays>> parts; // few; in order of their first surface
 	for (const MeshSurface &surface : make_surfaces(mesh)) {
 		const Material material = surface.material < materials.size() ? materials[surface.material] : Material();
@@ -251,7 +278,7 @@ Ref<ArrayMesh> CityMaterials::to_godot(const Mesh &mesh, const std::vector<Mater
 		if (part == parts.size()) {
 			parts.emplace_back(entry, Arrays());
 		}
-		parts[part].second.add(surface, pcg::to_godot(material.color), entry->has_normal_map);
+		parts[part].second.add(surface, is_white ? Color(1, 1, 1) : pcg::to_godot(material.color), entry->has_normal_map);
 	}
 	Ref<ArrayMesh> result;
 	if (parts.empty()) {

@@ -28,8 +28,8 @@ public:
 	const Entry &of(const Material &material);
 
 	// The engine's front faces run clockwise, the core's counter-clockwise; v runs down in the engine. Surfaces of one material are one. Null if there
-	// is nothing to draw.
-	godot::Ref<godot::ArrayMesh> to_godot(const Mesh &mesh, const std::vector<Material> &materials);
+	// is nothing to draw. White: whoever shows the mesh brings the colour.
+	godot::Ref<godot::ArrayMesh> to_godot(const Mesh &mesh, const std::vector<Material> &materials, bool is_white = false);
 
 private:
 	godot::Ref<godot::StandardMaterial3D> make(const Material &material);

@@ -83,6 +83,18 @@ class CommandLine(unittest.TestCase):
             self.pcg("derive", "house.cga", "--shape", "two.obj", "--threads", threads, "--out", f"{threads}.glb")
         self.assertEqual((self.folder / "1.glb").read_bytes(), (self.folder / "4.glb").read_bytes())
 
+    def test_inserted_models_count_like_all_other_faces(self):
+        (self.folder / "tile.obj").write_text("v 0 0 0\nv 1 0 0\nv 1 0 -1\nv 0 0 -1\nf 1 2 3 4\n")  # 1 m2
+        (self.folder / "tiles.cga").write_text('Lot --> split(x) { 2 : s(\'1, 0, \'1) i("tile.obj") X. }* ')  # five of 2 x 10 m
+        told = self.pcg("derive", "tiles.cga", "--lot", "10x10", "--out", "m.obj", "--json", "r.json")
+        self.assertEqual(told.returncode, 0, told.stderr)
+        report = json.loads((self.folder / "r.json").read_text())
+        for figures in (report, report["initial_shapes"][0]):
+            self.assertEqual((figures["faces"], figures["vertices"]), (5, 20))
+            self.assertAlmostEqual(figures["area"], 100.0, 4)
+            self.assertEqual(figures["bbox"], [[0, 0, -10], [10, 0, 0]])
+        self.assertEqual((self.folder / "m.obj").read_text().count("\nf "), 10)
+
     def test_a_bow_tie_is_told_with_file_shape_and_reason(self):
         told = self.pcg("derive", "house.cga", "--shape", "tie.obj")
         self.assertEqual(told.returncode, 1)

@@ -140,6 +140,7 @@ const Geometry *AssetStore::geometry(Model &model, Up up, ModelBuilder &builder)
 		Geometry instance = *geometry.finish(_arena, is_closed);
 		instance.is_instance = true;
 		made = _arena.make(instance);
+		builder.add_model(*made, turn, *model.asset->shown);
 	}
 	return made;
 }

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -95,9 +96,24 @@ struct ModelPlace {
 struct ModelObject {
 	std::string tag;
 	glm::mat4 frame{ 1.0f }; // object to world: a rotation and a position, the middle of the floor of its scope
-	Mesh mesh; // in the object's frame, so that equal objects have equal meshes and can be moved by their frame alone
+	Mesh mesh; // in the object's frame, so that equal objects have equal meshes and can be moved by their frame alone; without its instances
 	std::vector<ModelPlace> places; // at least one; in world coordinates
 	int32_t parent = -1; // index of the object that it stands within; -1 = the lot itself
+};
+
+// A model from a file that stays as the file has it, but for its place and size.
+struct ModelPrototype {
+	std::shared_ptr<const Mesh> mesh; // in the file's coordinates; one for all lots that insert it
+	std::vector<uint32_t> materials; // MeshFace::material in it to DerivationResult::materials
+};
+
+// One of the places where a prototype stands: its faces belong to the lot's mesh, or to an object's, as if they were written out there.
+struct ModelInstance {
+	uint32_t prototype = 0; // in DerivationResult::prototypes
+	int32_t object = -1; // -1 = the lot itself
+	// From the file's coordinates to those of that mesh: scaled (each axis for itself, not mirrored), turned, moved.
+	glm::dmat3 axes{ 1.0 };
+	glm::dvec3 origin{ 0.0 };
 };
 
 // report(key, value): CGA reference, section 7.7.
@@ -110,8 +126,10 @@ struct ModelReport {
 };
 
 struct DerivationResult {
-	Mesh mesh; // without the objects
-	std::vector<Material> materials; // of the lot's mesh and of the objects' meshes
+	Mesh mesh; // without the objects and the instances
+	std::vector<Material> materials; // of all meshes
+	std::vector<ModelPrototype> prototypes; // in order of their first use
+	std::vector<ModelInstance> instances;
 	std::vector<ModelEntrance> entrances;
 	std::vector<ModelZone> zones;
 	std::vector<ModelObject> objects;
@@ -120,7 +138,7 @@ struct DerivationResult {
 	Diagnostics diagnostics;
 	uint64_t shape_count = 0; // all, leaves included
 	uint64_t leaf_count = 0;
-	uint64_t face_count = 0; // of all meshes
+	uint64_t face_count = 0; // of all meshes and instances
 };
 
 class Occluders;

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/cga/instances.h"
 #include "core/cga/zone_prism.h"
 #include "core/geometry/polygon.h"
 
@@ -23,15 +24,32 @@ glm::dvec3 unit_or(glm::dvec3 vector, glm::dvec3 fallback) {
 // An object seen from above lies within these bounds of its frame.
 struct Bounds {
 	glm::dvec3 low{ 0.0 }, high{ 0.0 };
+	bool is_empty = true;
 
-	explicit Bounds(const Mesh &mesh) {
-		for (size_t i = 0; i < mesh.positions.size(); ++i) {
-			const glm::dvec3 point(mesh.positions[i]);
-			low = i == 0 ? point : glm::min(low, point);
-			high = i == 0 ? point : glm::max(high, point);
-		}
+	void add(glm::vec3 corner) {
+		const glm::dvec3 point(corner);
+		low = is_empty ? point : glm::min(low, point);
+		high = is_empty ? point : glm::max(high, point);
+		is_empty = false;
 	}
 };
+
+std::vector<Bounds> bounds_of_objects(const DerivationResult &model) {
+	std::vector<Bounds> bounds(model.objects.size());
+	for (size_t i = 0; i < bounds.size(); ++i) {
+		for (const glm::vec3 &point : model.objects[i].mesh.positions) {
+			bounds[i].add(point);
+		}
+	}
+	for (const ModelInstance &instance : model.instances) {
+		if (instance.object >= 0) {
+			for (const glm::vec3 &point : model.prototypes[instance.prototype].mesh->positions) {
+				bounds[size_t(instance.object)].add(placed(instance, point));
+			}
+		}
+	}
+	return bounds;
+}
 
 // Corners that were added without a coordinate take that of set 0: there a map looks whose own set is missing.
 void complete_uvs(Mesh &mesh, size_t set, size_t corner_count) {
@@ -68,6 +86,7 @@ void ModelBuilder::begin(const Lot &lot) {
 	_result = DerivationResult();
 	_object_frames.clear();
 	_materials.begin();
+	_instances.begin();
 }
 
 DerivationResult ModelBuilder::take() {
@@ -76,9 +95,10 @@ DerivationResult ModelBuilder::take() {
 	for (ModelObject &object : _result.objects) {
 		complete_uvs(object.mesh);
 	}
+	const std::vector<Bounds> bounds = bounds_of_objects(_result);
 	for (size_t i = 0; i < _result.objects.size(); ++i) {
 		if (_result.objects[i].places.empty()) {
-			add_default_places(_result.objects[i], _object_frames[i]);
+			add_default_places(_result.objects[i], _object_frames[i], bounds[i].low, bounds[i].high);
 		}
 	}
 	return std::move(_result);
@@ -96,14 +116,44 @@ void ModelBuilder::add_leaf(const Shape &shape) {
 		const Frame &object = _object_frames[size_t(shape.object)];
 		frame = Frame{ glm::transpose(object.axes) * frame.axes, object.to_local(frame.origin) };
 	}
+	if (shape.geometry->is_instance && _instances.add(shape, frame, _materials, _result)) {
+		return;
+	}
 	Mesh &mesh = shape.object < 0 ? _result.mesh : _result.objects[size_t(shape.object)].mesh;
-	for (uint32_t i = 0; i < shape.geometry->face_count; ++i) {
-		const GeometryFace &face = shape.geometry->faces[i];
-		const uint32_t material = _materials.index_of(*shape.look, face.material);
-		if (add_face(mesh, *shape.geometry, face, shape, frame, material) && (shape.geometry->corners != nullptr || !mesh.normals.empty())) {
-			add_corner_data(mesh, *shape.geometry, shape.geometry->first_point(face.first_loop), frame.axes * normal_matrix(shape));
+	add_faces(mesh, shape, frame, [&](uint16_t material) { return _materials.index_of(*shape.look, material); });
+}
+
+template <typename MaterialOf> void ModelBuilder::add_faces(Mesh &mesh, const Shape &shape, const Frame &to_target, MaterialOf material_of) {
+	const Geometry &geometry = *shape.geometry;
+	for (uint32_t i = 0; i < geometry.face_count; ++i) {
+		const GeometryFace &face = geometry.faces[i];
+		const uint32_t material = material_of(face.material);
+		if (add_face(mesh, geometry, face, shape, to_target, material) && (geometry.corners != nullptr || !mesh.normals.empty())) {
+			add_corner_data(mesh, geometry, geometry.first_point(face.first_loop), to_target.axes * normal_matrix(shape));
 		}
 	}
+}
+
+void ModelBuilder::add_model(const Geometry &geometry, const glm::dmat3 &turn, SharedMesh &shown) {
+	for (uint32_t i = 0; i < geometry.face_count; ++i) {
+		if (geometry.faces[i].material == 0) { // the shape's own, because there are too many
+			return;
+		}
+	}
+	_instances.add_model(geometry, turn, shown.get([&] { return make_shown(geometry, turn); }));
+}
+
+Mesh ModelBuilder::make_shown(const Geometry &geometry, const glm::dmat3 &turn) {
+	const uint64_t face_count = _result.face_count;
+	const std::vector<uint16_t> materials = materials_in(geometry);
+	Shape shape;
+	shape.geometry = &geometry;
+	Mesh mesh;
+	add_faces(mesh, shape, { glm::transpose(turn), glm::dvec3(0.0) },
+			[&](uint16_t material) { return uint32_t(std::ranges::find(materials, material) - materials.begin()); });
+	complete_uvs(mesh);
+	_result.face_count = face_count;
+	return mesh;
 }
 
 // Of the face added last, whose corners in the geometry begin at `first`.
@@ -142,7 +192,7 @@ bool ModelBuilder::add_face(Mesh &mesh, const Geometry &geometry, const Geometry
 	}
 	const glm::dvec3 area = area_vector(std::span(_points).first(outline_size));
 	const double size = glm::length(area);
-	if (!(size > 1e-12) || !std::isfinite(size)) { // edges, points and what was flattened away
+	if (!(size > least_face_size) || !std::isfinite(size)) { // edges, points and what was flattened away
 		return false;
 	}
 	const uint32_t first_loop = uint32_t(mesh.loop_ends.size());
@@ -198,10 +248,9 @@ bool ModelBuilder::add_place(const Shape &shape) {
 
 // One person for each 0.6 m of the longer side, at the edge of the floor, looking outwards: along x on the scope's front, along z on the side
 // that looks to the middle of the lot.
-void ModelBuilder::add_default_places(ModelObject &object, const Frame &frame) {
-	const Bounds bounds(object.mesh);
-	const glm::dvec3 size = bounds.high - bounds.low;
-	const glm::dvec3 middle = 0.5 * (bounds.low + bounds.high);
+void ModelBuilder::add_default_places(ModelObject &object, const Frame &frame, glm::dvec3 low, glm::dvec3 high) {
+	const glm::dvec3 size = high - low;
+	const glm::dvec3 middle = 0.5 * (low + high);
 	const int along = size.x >= size.z ? 0 : 2;
 	const int across = 2 - along;
 	const bool is_low_side = along == 2 && frame.to_local(_lot.center).x < middle.x;
@@ -209,9 +258,9 @@ void ModelBuilder::add_default_places(ModelObject &object, const Frame &frame) {
 	glm::dvec3 facing(0.0);
 	facing[across] = is_low_side ? -1.0 : 1.0;
 	for (double i = 0.0; i < count; ++i) {
-		glm::dvec3 point(0.0, bounds.low.y, 0.0);
-		point[along] = bounds.low[along] + size[along] * (i + 0.5) / count;
-		point[across] = is_low_side ? bounds.low[across] : bounds.high[across];
+		glm::dvec3 point(0.0, low.y, 0.0);
+		point[along] = low[along] + size[along] * (i + 0.5) / count;
+		point[across] = is_low_side ? low[across] : high[across];
 		const glm::dvec3 direction = unit_or(frame.axes * facing, { 0.0, 0.0, 1.0 });
 		object.places.push_back({ to_world(frame.to_parent(point)), glm::vec3(direction) });
 	}

@@ -4,8 +4,10 @@
 #include <vector>
 
 #include "core/cga/derivation.h"
+#include "core/cga/instance_table.h"
 #include "core/cga/material_table.h"
 #include "core/cga/shape.h"
+#include "core/geometry/shared_mesh.h"
 
 namespace pcg::cga {
 
@@ -16,8 +18,10 @@ public:
 	DerivationResult take();
 	DerivationResult &result() { return _result; }
 
-	// The faces of a leaf, to the lot's mesh or to its object's.
+	// The faces of a leaf, to the lot's mesh or to its object's; a model from a file becomes an instance where it can.
 	void add_leaf(const Shape &shape);
+	// `geometry` is a model from a file, turned by `turn`. It lives as long as this.
+	void add_model(const Geometry &geometry, const glm::dmat3 &turn, SharedMesh &shown);
 	// Index of the new object, whose frame stands in the middle of the floor of the shape's scope.
 	int32_t begin_object(std::string_view tag, const Shape &shape);
 	void add_entrance(std::string_view type, const Shape &shape, double capacity);
@@ -31,14 +35,18 @@ public:
 
 private:
 	bool add_face(Mesh &mesh, const Geometry &geometry, const GeometryFace &face, const Shape &shape, const Frame &to_target, uint32_t material);
+	template <typename MaterialOf> void add_faces(Mesh &mesh, const Shape &shape, const Frame &to_target, MaterialOf material_of);
+	Mesh make_shown(const Geometry &geometry, const glm::dmat3 &turn);
 	void add_corner_data(Mesh &mesh, const Geometry &geometry, uint32_t first, const glm::dmat3 &turn);
-	void add_default_places(ModelObject &object, const Frame &frame);
+	// `low` and `high` bound the object in its frame.
+	void add_default_places(ModelObject &object, const Frame &frame, glm::dvec3 low, glm::dvec3 high);
 	glm::vec3 to_world(glm::dvec3 point) const { return glm::vec3(point + _lot.origin); }
 
 	Lot _lot;
 	DerivationResult _result;
 	std::vector<Frame> _object_frames; // in the derivation's coordinates
 	MaterialTable _materials;
+	InstanceTable _instances;
 	std::vector<glm::dvec3> _points;
 };
 

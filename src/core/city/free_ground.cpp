@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
+#include "core/cga/instances.h"
 #include "core/city/cell_grid.h"
 
 namespace pcg {
@@ -66,9 +67,20 @@ private:
 	std::vector<glm::vec2> _plan;
 };
 
+void block_instance(const cga::ModelInstance &instance, const Mesh &mesh, BandCutter &band, CellGrid &grid) {
+	std::vector<glm::vec3> outline;
+	for (const MeshFace &face : mesh.faces) {
+		outline.clear();
+		for (const glm::vec3 &point : mesh.loop(face.first_loop)) {
+			outline.push_back(cga::placed(instance, point));
+		}
+		grid.block(band.cut(outline));
+	}
+}
+
 } // namespace
 
-std::vector<std::vector<glm::vec3>> free_ground(const Lot &lot, const Mesh &mesh, const FreeGroundOptions &options) {
+std::vector<std::vector<glm::vec3>> free_ground(const Lot &lot, const cga::DerivationResult &model, const FreeGroundOptions &options) {
 	if (lot.polygon.size() < 3) {
 		return {};
 	}
@@ -79,8 +91,13 @@ std::vector<std::vector<glm::vec3>> free_ground(const Lot &lot, const Mesh &mesh
 	}
 	CellGrid grid(outline, options.cell);
 	BandCutter band(frame, options.step_height, options.head_height);
-	for (const MeshFace &face : mesh.faces) {
-		grid.block(band.cut(mesh.loop(face.first_loop)));
+	for (const MeshFace &face : model.mesh.faces) {
+		grid.block(band.cut(model.mesh.loop(face.first_loop)));
+	}
+	for (const cga::ModelInstance &instance : model.instances) {
+		if (instance.object < 0) {
+			block_instance(instance, *model.prototypes[instance.prototype].mesh, band, grid);
+		}
 	}
 	std::vector<bool> is_entry_edge;
 	for (float width : lot.street_widths) {

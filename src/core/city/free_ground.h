@@ -4,8 +4,8 @@
 
 #include <glm/vec3.hpp>
 
+#include "core/cga/derivation.h"
 #include "core/city/layout.h"
-#include "core/geometry/mesh.h"
 
 // Where one can walk on a lot that has been built on.
 namespace pcg {
@@ -17,8 +17,8 @@ struct FreeGroundOptions {
 	float head_height = 2.0f;
 };
 
-// Convex pieces, counter-clockwise from above, in world coordinates. Ground that is not connected with a street edge of the lot (inside of
+// Objects do not stand in the way. Convex pieces, counter-clockwise from above, in world coordinates. Ground that is not connected with a street edge of the lot (inside of
 // buildings, closed courtyards) is left out, so that nobody is ever sent there. Rectangles along the lot's front, cut by its outline.
-std::vector<std::vector<glm::vec3>> free_ground(const Lot &lot, const Mesh &mesh, const FreeGroundOptions &options = {});
+std::vector<std::vector<glm::vec3>> free_ground(const Lot &lot, const cga::DerivationResult &model, const FreeGroundOptions &options = {});
 
 } // namespace pcg

@@ -1,6 +1,7 @@
 #include "core/io/asset_reader.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <map>
 
@@ -110,6 +111,36 @@ Asset read_obj_asset(const FileTree &files, const std::string &path, const Asset
 		asset.problem = "there is no face in it";
 	}
 	return asset;
+}
+
+void complete_corners(Mesh &mesh) {
+	const size_t count = mesh.positions.size();
+	for (std::vector<glm::vec2> &uvs : mesh.uvs) {
+		uvs.resize(uvs.empty() ? 0 : count, glm::vec2(NAN));
+	}
+	mesh.normals.resize(mesh.normals.empty() ? 0 : count, glm::vec3(NAN));
+	bool is_flat = true; // files give normals to flat faces too, which need none
+	for (const MeshFace &face : mesh.faces) {
+		const uint32_t first = mesh.first_corner(face.first_loop);
+		for (uint32_t i = first; i < mesh.loop_ends[face.first_loop] && !mesh.normals.empty(); ++i) {
+			is_flat = is_flat && !(glm::dot(mesh.normals[i], face.normal) < 0.9998f); // a degree
+		}
+	}
+	if (is_flat) {
+		mesh.normals.clear();
+	}
+}
+
+Result<std::string> read_picture(const FileTree &files, const std::string &name, size_t limit) {
+	const size_t mark = name.rfind('#');
+	size_t index = 0;
+	if (mark == std::string::npos || files.has_file(name)) {
+		return files.read(name, limit);
+	}
+	const std::string path = name.substr(0, mark);
+	const auto [end, error] = std::from_chars(name.data() + mark + 1, name.data() + name.size(), index);
+	const bool is_inner = error == std::errc() && end == name.data() + name.size() && (has_ending(path, ".glb") || has_ending(path, ".gltf"));
+	return is_inner ? read_gltf_picture(files, path, index, limit) : files.read(name, limit);
 }
 
 Asset read_asset(const FileTree &files, const std::string &path, const AssetLimits &limits) {

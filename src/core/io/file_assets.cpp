@@ -1,6 +1,5 @@
 #include "core/io/file_assets.h"
 
-#include "core/io/image_info.h"
 #include "core/io/text_asset.h"
 
 namespace pcg {
@@ -27,8 +26,8 @@ struct FileAssets::File {
 	TextTable table;
 };
 
-FileAssets::FileAssets(std::vector<std::string> folders, std::shared_ptr<const FileTree> files) :
-		_files(std::move(files)), _search(*_files, std::move(folders)) {}
+FileAssets::FileAssets(std::vector<std::string> folders, std::shared_ptr<const FileTree> files, std::shared_ptr<const ImportedFiles> imports) :
+		_files(std::move(files)), _imports(std::move(imports)), _search(*_files, std::move(folders)) {}
 
 FileAssets::~FileAssets() = default;
 
@@ -65,8 +64,22 @@ const Asset *FileAssets::find(std::string_view name, std::string_view rule_file)
 	if (found == nullptr) {
 		return nullptr;
 	}
-	std::call_once(found->asset_flag, [&] { found->asset = read_asset(*_files, found->path); });
+	std::call_once(found->asset_flag, [&] { found->asset = read_model(found->path); });
 	return &found->asset;
+}
+
+Asset FileAssets::read_model(const std::string &path) const {
+	std::optional<Asset> imported = _imports != nullptr ? _imports->model(path) : std::nullopt;
+	return imported ? std::move(*imported) : read_asset(*_files, path);
+}
+
+ImageInfo FileAssets::read_picture_info(const std::string &path) const {
+	const std::optional<ImageInfo> imported = _imports != nullptr ? _imports->picture(path) : std::nullopt;
+	if (imported) {
+		return *imported;
+	}
+	const Result<std::string> bytes = _files->read(path, max_image_bytes);
+	return bytes ? read_image_info(*bytes) : ImageInfo();
 }
 
 std::shared_ptr<const AssetProvider::Paths> FileAssets::search(std::string_view query, std::string_view rule_file) const {
@@ -86,10 +99,7 @@ std::shared_ptr<const AssetProvider::Paths> FileAssets::search(std::string_view 
 const FileAssets::File *FileAssets::image(std::string_view name, std::string_view rule_file) const {
 	File *found = file(name, rule_file);
 	if (found != nullptr) {
-		std::call_once(found->image_flag, [&] {
-			const Result<std::string> bytes = _files->read(found->path, max_image_bytes);
-			found->image = bytes ? read_image_info(*bytes) : ImageInfo();
-		});
+		std::call_once(found->image_flag, [&] { found->image = read_picture_info(found->path); });
 	}
 	return found;
 }

@@ -27,7 +27,7 @@ public:
 	static constexpr int no_parent = -1;
 	static constexpr int no_mesh = -1;
 
-	GlbBuilder(SourceProvider *pictures, Diagnostics &diagnostics) : _materials(_model, pictures, diagnostics) {}
+	GlbBuilder(const FileTree *pictures, Diagnostics &diagnostics) : _materials(_model, pictures, diagnostics) {}
 
 	// The mesh's index, or no_mesh if it has no area.
 	int add_mesh(const Mesh &mesh, const std::vector<Material> &materials, const std::string &name) {
@@ -44,6 +44,31 @@ public:
 		const std::vector<int> indices = add_materials(surfaces, materials);
 		const auto [place, is_new] = _shared_meshes.emplace(content_of(surfaces, indices), int(_model.meshes.size()));
 		return is_new ? add_surfaces(surfaces, indices, name) : place->second;
+	}
+
+	// The mesh of a prototype: once for all lots where its materials are the same, and with one copy of its corners whatever its materials.
+	int add_prototype(const cga::ModelPrototype &prototype, const std::vector<Material> &materials) {
+		Prototype &known = _prototypes[prototype.mesh.get()];
+		if (known.surfaces.empty()) {
+			for (const MeshSurface &surface : make_surfaces(*prototype.mesh)) {
+				known.surfaces.emplace_back(surface.material, add_primitive(surface));
+				known.sets = sets_of(surface.uvs.data());
+			}
+		}
+		std::vector<int> indices;
+		for (const auto &[material, primitive] : known.surfaces) {
+			indices.push_back(_materials.add(materials[prototype.materials[material]], known.sets));
+		}
+		const auto [place, is_new] = known.meshes.emplace(indices, int(_model.meshes.size()));
+		if (is_new) {
+			tinygltf::Mesh mesh;
+			for (size_t i = 0; i < indices.size(); ++i) {
+				mesh.primitives.push_back(known.surfaces[i].second);
+				mesh.primitives.back().material = indices[i];
+			}
+			_model.meshes.push_back(std::move(mesh));
+		}
+		return place->second;
 	}
 
 	int add_node(const std::string &name, int mesh, int parent, Extras extras = {}) {
@@ -85,6 +110,11 @@ public:
 	}
 
 private:
+	struct Prototype {
+		std::vector<std::pair<uint32_t, tinygltf::Primitive>> surfaces; // with their material in the prototype's list
+		uint32_t sets = 0;
+		std::map<std::vector<int>, int> meshes; // by their materials
+	};
 	enum View { Indices, Positions, Normals, Uvs, ViewCount }; // Uvs last: there may be none
 
 	std::vector<int> add_materials(const std::vector<MeshSurface> &surfaces, const std::vector<Material> &materials) {
@@ -119,19 +149,23 @@ private:
 		tinygltf::Mesh mesh;
 		mesh.name = valid_utf8(name);
 		for (size_t i = 0; i < surfaces.size(); ++i) {
-			tinygltf::Primitive primitive;
-			primitive.mode = TINYGLTF_MODE_TRIANGLES;
-			primitive.material = materials[i];
-			primitive.indices = add_accessor(Indices, surfaces[i].indices, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR);
-			const int positions = add_accessor(Positions, surfaces[i].positions, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3);
-			set_bounds(_model.accessors[size_t(positions)], surfaces[i].positions);
-			primitive.attributes["POSITION"] = positions;
-			primitive.attributes["NORMAL"] = add_accessor(Normals, surfaces[i].normals, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3);
-			add_uvs(primitive, surfaces[i]);
-			mesh.primitives.push_back(std::move(primitive));
+			mesh.primitives.push_back(add_primitive(surfaces[i]));
+			mesh.primitives.back().material = materials[i];
 		}
 		_model.meshes.push_back(std::move(mesh));
 		return int(_model.meshes.size()) - 1;
+	}
+
+	tinygltf::Primitive add_primitive(const MeshSurface &surface) {
+		tinygltf::Primitive primitive;
+		primitive.mode = TINYGLTF_MODE_TRIANGLES;
+		primitive.indices = add_accessor(Indices, surface.indices, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR);
+		const int positions = add_accessor(Positions, surface.positions, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3);
+		set_bounds(_model.accessors[size_t(positions)], surface.positions);
+		primitive.attributes["POSITION"] = positions;
+		primitive.attributes["NORMAL"] = add_accessor(Normals, surface.normals, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3);
+		add_uvs(primitive, surface);
+		return primitive;
 	}
 
 	// In the file v runs down the picture.
@@ -201,9 +235,25 @@ private:
 	std::vector<unsigned char> _bytes[ViewCount];
 	GltfMaterials _materials;
 	std::map<std::string, int> _shared_meshes;
+	std::map<const Mesh *, Prototype> _prototypes; // looked up only
 };
 
+// One mesh for all places where a prototype stands; `nodes` are those of the objects.
+void add_instances(GlbBuilder &builder, const cga::DerivationResult &model, const std::vector<int> &nodes, int lot) {
+	std::vector<int> meshes;
+	for (const cga::ModelPrototype &prototype : model.prototypes) {
+		meshes.push_back(builder.add_prototype(prototype, model.materials));
+	}
+	for (const cga::ModelInstance &instance : model.instances) {
+		glm::mat4 frame(glm::mat3(instance.axes));
+		frame[3] = glm::vec4(glm::vec3(instance.origin), 1.0f);
+		builder.place_node(builder.add_node("instance", meshes[instance.prototype], instance.object < 0 ? lot : nodes[size_t(instance.object)]), frame);
+	}
+}
+
+// With all instances.
 void add_objects(GlbBuilder &builder, const cga::DerivationResult &model, const std::vector<ObjectId> &ids, int parent) {
+	std::vector<int> nodes;
 	for (size_t i = 0; i < model.objects.size(); ++i) {
 		const cga::ModelObject &object = model.objects[i];
 		Extras extras = { { "type", tinygltf::Value(valid_utf8(object.tag)) } };
@@ -211,8 +261,10 @@ void add_objects(GlbBuilder &builder, const cga::DerivationResult &model, const 
 			extras.emplace("object", tinygltf::Value(int(index_of(ids[i]))));
 		}
 		const int mesh = builder.add_shared_mesh(object.mesh, model.materials, object.tag);
-		builder.place_node(builder.add_node(object.tag, mesh, parent, std::move(extras)), object.frame);
+		nodes.push_back(builder.add_node(object.tag, mesh, parent, std::move(extras)));
+		builder.place_node(nodes.back(), object.frame);
 	}
+	add_instances(builder, model, nodes, parent);
 }
 
 void add_lot(GlbBuilder &builder, const City &city, LotId id, int parent) {
@@ -226,7 +278,7 @@ void add_lot(GlbBuilder &builder, const City &city, LotId id, int parent) {
 
 } // namespace
 
-bool write_glb(const City &city, const std::string &path, Diagnostics &diagnostics, SourceProvider *pictures) {
+bool write_glb(const City &city, const std::string &path, Diagnostics &diagnostics, const FileTree *pictures) {
 	GlbBuilder builder(pictures, diagnostics);
 	builder.add_node("streets", builder.add_mesh(city.ground.streets, city.ground.materials, "streets"), GlbBuilder::no_parent);
 	for (size_t i = 0; i < city.layout.blocks.size(); ++i) {
@@ -241,7 +293,7 @@ bool write_glb(const City &city, const std::string &path, Diagnostics &diagnosti
 }
 
 bool write_glb(const cga::DerivationResult &model, const std::string &name, const std::string &path, Diagnostics &diagnostics,
-		SourceProvider *pictures) {
+		const FileTree *pictures) {
 	GlbBuilder builder(pictures, diagnostics);
 	const int node = builder.add_node(name, builder.add_mesh(model.mesh, model.materials, name), GlbBuilder::no_parent);
 	add_objects(builder, model, {}, node);

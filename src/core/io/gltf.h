@@ -11,13 +11,14 @@
 // was not possible. `pictures` reads the files that materials name; nullptr: this machine's. A picture that cannot be had is a warning.
 namespace pcg {
 
-class SourceProvider;
+class FileTree;
 
 // Nodes: "streets", and "block 0" .. with their pavements; below each block its lots ("lot 12 (house)", extras lot and type), and below each lot
-// its objects ("bench", extras object and type). Equal objects share one mesh.
-bool write_glb(const City &city, const std::string &path, Diagnostics &diagnostics, SourceProvider *pictures = nullptr);
+// its objects ("bench", extras object and type). Equal objects share one mesh. What is inserted from a file is one mesh, with a
+// node "instance" for each place where it stands.
+bool write_glb(const City &city, const std::string &path, Diagnostics &diagnostics, const FileTree *pictures = nullptr);
 // One derivation: a node `name` with its objects below.
 bool write_glb(const cga::DerivationResult &model, const std::string &name, const std::string &path, Diagnostics &diagnostics,
-		SourceProvider *pictures = nullptr);
+		const FileTree *pictures = nullptr);
 
 } // namespace pcg

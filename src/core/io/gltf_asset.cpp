@@ -58,8 +58,7 @@ public:
 		if (_asset.mesh.is_empty() && _asset.problem.empty()) {
 			_asset.problem = "there is no face in it";
 		}
-		complete_corners(_asset.mesh.positions.size());
-		drop_flat_normals();
+		complete_corners(_asset.mesh);
 		return std::move(_asset);
 	}
 
@@ -157,15 +156,6 @@ private:
 		return uvs;
 	}
 
-	// What corners lack that others have.
-	void complete_corners(size_t count) {
-		Mesh &mesh = _asset.mesh;
-		for (std::vector<glm::vec2> &uvs : mesh.uvs) {
-			uvs.resize(uvs.empty() ? 0 : count, glm::vec2(NAN));
-		}
-		mesh.normals.resize(mesh.normals.empty() ? 0 : count, glm::vec3(NAN));
-	}
-
 	void add_corner_data(uint32_t vertex) {
 		Mesh &mesh = _asset.mesh;
 		const size_t corner = mesh.positions.size();
@@ -179,21 +169,6 @@ private:
 			const double length = glm::length(_normals[vertex]);
 			mesh.normals.resize(corner, glm::vec3(NAN));
 			mesh.normals.push_back(length > 0.0 && std::isfinite(length) ? glm::vec3(_normals[vertex] / length) : glm::vec3(NAN));
-		}
-	}
-
-	// Files give normals to flat faces too, which need none.
-	void drop_flat_normals() {
-		Mesh &mesh = _asset.mesh;
-		bool is_flat = true;
-		for (const MeshFace &face : mesh.faces) {
-			const uint32_t first = mesh.first_corner(face.first_loop);
-			for (uint32_t i = first; i < mesh.loop_ends[face.first_loop] && !mesh.normals.empty(); ++i) {
-				is_flat = is_flat && !(glm::dot(mesh.normals[i], face.normal) < 0.9998f); // a degree
-			}
-		}
-		if (is_flat) {
-			mesh.normals.clear();
 		}
 	}
 
@@ -302,30 +277,44 @@ std::string first_line(const std::string &text) {
 	return text.substr(0, std::min<size_t>(text.find('\n'), 200));
 }
 
-} // namespace
-
-Asset read_gltf_asset(const FileTree &files, const std::string &path, const AssetLimits &limits) {
-	Asset asset;
-	const Result<std::string> bytes = files.read(path, limits.bytes);
+// False, with a word on what is wrong in `problem`.
+bool load(const FileTree &files, const std::string &path, size_t limit, tinygltf::Model &model, std::string &problem) {
+	const Result<std::string> bytes = files.read(path, limit);
 	if (!bytes) {
-		asset.problem = bytes.diagnostic().message;
-		return asset;
+		problem = bytes.diagnostic().message;
+		return false;
 	}
-	Reading reading{ files, limits.bytes };
+	Reading reading{ files, limit };
 	tinygltf::TinyGLTF loader;
 	loader.SetFsCallbacks({ has_file, [](const std::string &name, void *) { return name; }, read_whole_file, nullptr, &reading });
 	loader.SetImageLoader(keep_encoded, nullptr);
-	tinygltf::Model model;
 	std::string error, warning;
-	const bool is_binary = bytes->starts_with("glTF");
-	const bool is_read = is_binary
+	const bool is_read = bytes->starts_with("glTF")
 			? loader.LoadBinaryFromMemory(&model, &error, &warning, reinterpret_cast<const unsigned char *>(bytes->data()), unsigned(bytes->size()), folder_of(path))
 			: loader.LoadASCIIFromString(&model, &error, &warning, bytes->data(), unsigned(bytes->size()), folder_of(path));
 	if (!is_read) {
-		asset.problem = "it is no glTF that can be read: " + first_line(error);
-		return asset;
+		problem = "it is no glTF that can be read: " + first_line(error);
 	}
-	return GltfReader(model, path, limits).read();
+	return is_read;
+}
+
+} // namespace
+
+Asset read_gltf_asset(const FileTree &files, const std::string &path, const AssetLimits &limits) {
+	tinygltf::Model model;
+	Asset asset;
+	return load(files, path, limits.bytes, model, asset.problem) ? GltfReader(model, path, limits).read() : asset;
+}
+
+Result<std::string> read_gltf_picture(const FileTree &files, const std::string &path, size_t index, size_t limit) {
+	tinygltf::Model model;
+	std::string problem;
+	if (load(files, path, limit, model, problem) && index < model.images.size()) {
+		const std::vector<unsigned char> &bytes = model.images[index].image;
+		return std::string(bytes.begin(), bytes.end());
+	}
+	problem = problem.empty() ? "there is no picture " + std::to_string(index) + " in it" : problem;
+	return Diagnostic{ Severity::Error, "cannot-read-file", path, 0, 0, problem, "", {} };
 }
 
 } // namespace pcg

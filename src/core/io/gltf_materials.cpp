@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/geometry/shown_material.h"
-#include "core/io/atomic_file.h"
+#include "core/io/asset_reader.h"
 #include "core/io/utf8.h"
 
 namespace pcg {
@@ -92,8 +92,8 @@ int file_set(uint32_t sets, size_t set) {
 	return std::popcount(sets & ((1u << set) - 1u));
 }
 
-GltfMaterials::GltfMaterials(tinygltf::Model &model, SourceProvider *pictures, Diagnostics &diagnostics)
-		: _model(model), _pictures(pictures), _diagnostics(diagnostics) {}
+GltfMaterials::GltfMaterials(tinygltf::Model &model, const FileTree *pictures, Diagnostics &diagnostics)
+		: _model(model), _pictures(pictures != nullptr ? *pictures : _disk), _diagnostics(diagnostics) {}
 
 int GltfMaterials::add(const Material &material, uint32_t sets) {
 	const auto [place, is_new] = _materials.emplace(key_of(material, sets), int(_model.materials.size()));
@@ -172,7 +172,8 @@ int GltfMaterials::texture_of(const std::string &file) {
 }
 
 int GltfMaterials::add_picture(const std::string &file) {
-	Result<std::string> bytes = _pictures != nullptr ? _pictures->read(file) : read_file(file);
+	constexpr size_t limit = size_t(256) << 20;
+	Result<std::string> bytes = read_picture(_pictures, file, limit);
 	if (!bytes) {
 		tell(file, "this picture cannot be read; surfaces that have it are plain in the file");
 		return -1;

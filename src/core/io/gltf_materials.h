@@ -9,8 +9,8 @@
 
 #include "core/base/diagnostic.h"
 #include "core/geometry/material.h"
+#include "core/io/file_tree.h"
 #include "core/io/gltf_library.h"
-#include "core/lang/source.h"
 
 namespace pcg {
 
@@ -19,7 +19,7 @@ namespace pcg {
 class GltfMaterials {
 public:
 	// `pictures` reads the files; nullptr: this machine's. All outlive this.
-	GltfMaterials(tinygltf::Model &model, SourceProvider *pictures, Diagnostics &diagnostics);
+	GltfMaterials(tinygltf::Model &model, const FileTree *pictures, Diagnostics &diagnostics);
 
 	// The material's index. `sets`: bit n is set if the surface has texture coordinate set n; without any there are no pictures.
 	int add(const Material &material, uint32_t sets);
@@ -36,7 +36,8 @@ private:
 	void tell(const std::string &file, const std::string &message);
 
 	tinygltf::Model &_model;
-	SourceProvider *_pictures;
+	const DiskTree _disk;
+	const FileTree &_pictures;
 	Diagnostics &_diagnostics;
 	std::map<std::string, int> _materials; // by all they say
 	std::map<std::string, int> _textures; // by file; -1: there is none

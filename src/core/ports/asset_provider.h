@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 
 #include "core/geometry/mesh.h"
+#include "core/geometry/shared_mesh.h"
 
 // The files that rules name: models for i("file"), pictures, tables, lists of files. The host knows where they lie and how to read them.
 namespace pcg {
@@ -19,6 +20,8 @@ struct Asset {
 	Mesh mesh; // empty: the file is broken. Corners that lack a texture coordinate or a normal have nan there
 	std::vector<Material> materials;
 	std::string problem; // what is wrong with the file, for a warning; empty: nothing
+	// The mesh without gaps, as instances show it: one for all derivations, made by the first that inserts the model.
+	std::shared_ptr<SharedMesh> shown = std::make_shared<SharedMesh>();
 };
 
 // Rows of equal length, one behind the other.

@@ -82,6 +82,12 @@ void CityBuilder::add_geometry(Node *parent, const Mesh &mesh, const std::vector
 	add(parent, instance, name);
 }
 
+void CityBuilder::add_instances(Node *parent, const LotBuild &build, int32_t object, Vector3 position) {
+	for (MultiMeshInstance3D *node : _instances.make(build.model, object, position)) {
+		add(parent, node, "Instances");
+	}
+}
+
 void CityBuilder::build_streets() {
 	Node3D *streets = memnew(Node3D);
 	streets->add_to_group(group, true);
@@ -124,6 +130,7 @@ void CityBuilder::build_lot(Node3D *parent, LotId id) {
 	node->add_to_group("pcg_lots", true);
 	add(parent, node, "Lot" + String::num_int64(index_of(id)));
 	add_geometry(node, build.model.mesh, build.model.materials, "Geometry", to_godot(-origin));
+	add_instances(node, build, -1, to_godot(-origin));
 	build_entrances(node, build);
 	build_zones(node, build);
 	build_objects(node, build);
@@ -185,6 +192,7 @@ void CityBuilder::build_objects(Node3D *lot, const LotBuild &build) {
 		node->add_to_group("pcg_objects", true);
 		add(lot, node, "Object" + String::num_int64(index_of(build.objects[i])));
 		add_geometry(node, build.model.objects[i].mesh, build.model.materials, "Geometry");
+		add_instances(node, build, int32_t(i));
 	}
 }
 

@@ -11,6 +11,7 @@
 #include "core/city/city.h"
 #include "core/navigation/reachability.h"
 #include "godot/city_materials.h"
+#include "godot/nodes/city_instances.h"
 
 namespace pcg {
 
@@ -36,6 +37,8 @@ private:
 	void add(godot::Node *parent, godot::Node *child, const godot::String &name);
 	void add_geometry(godot::Node *parent, const Mesh &mesh, const std::vector<Material> &materials, const char *name,
 			godot::Vector3 position = {});
+	// Of one of the lot's objects, or of the lot itself (-1).
+	void add_instances(godot::Node *parent, const LotBuild &build, int32_t object, godot::Vector3 position = {});
 	void build_lot(godot::Node3D *parent, LotId lot);
 	void build_entrances(godot::Node3D *lot, const LotBuild &build);
 	void build_zones(godot::Node3D *lot, const LotBuild &build);
@@ -45,6 +48,7 @@ private:
 	const City &_city;
 	godot::Node *_owner; // of everything that is made, so that it is saved with the scene
 	CityMaterials _materials;
+	CityInstances _instances{ _materials };
 	std::vector<godot::ObjectID> _entrances; // nodes by EntranceId; somebody else may free them meanwhile
 };
 

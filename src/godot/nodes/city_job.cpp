@@ -1,7 +1,10 @@
 #include "godot/nodes/city_job.h"
 
 #include "core/city/walkable.h"
+#include "core/io/file_assets.h"
 #include "core/navigation/nav_mesh_paths.h"
+#include "godot/ports/engine_tree.h"
+#include "godot/ports/imported_assets.h"
 
 namespace pcg {
 
@@ -10,7 +13,9 @@ bool CityJob::grow() {
 	if (!layout) {
 		return false;
 	}
+	const FileAssets assets(_input.asset_folders, std::make_shared<EngineTree>(), std::make_shared<ImportedAssets>(main));
 	CityOptions options;
+	options.derive.assets = &assets;
 	options.work.cancel = &is_cancelled;
 	options.work.progress = [this](size_t done, size_t total) { progress = float(done) / float(total); };
 	std::optional<City> city = generate_city(std::move(*layout), _input.rules, options, diagnostics);

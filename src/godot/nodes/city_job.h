@@ -10,6 +10,7 @@
 #include "core/navigation/nav_mesh.h"
 #include "core/navigation/reachability.h"
 #include "core/ports/path_provider.h"
+#include "godot/main_thread.h"
 
 namespace pcg {
 
@@ -23,6 +24,7 @@ struct CityState {
 struct CityInput {
 	LayoutParameters layout;
 	RulesByType rules;
+	std::vector<std::string> asset_folders; // beside the rule files' own projects
 };
 
 // The part of a generation that runs beside the main thread. One call at a time; the flags may be touched by anybody.
@@ -30,11 +32,12 @@ class CityJob {
 public:
 	explicit CityJob(CityInput input) : _input(std::move(input)) {}
 
-	// Layout and lots. False after an error or a cancellation.
+	// Layout and lots. Meanwhile the main thread runs what waits for it. False after an error or a cancellation.
 	bool grow();
 	// Makes the baked regions one walkable ground and learns its distances.
 	bool join();
 
+	const std::shared_ptr<MainThread> main = std::make_shared<MainThread>();
 	std::atomic<bool> is_cancelled{ false };
 	std::atomic<float> progress{ 0.0f };
 	bool has_succeeded = false; // of the last call; read after it has ended

@@ -1,5 +1,7 @@
 #include "godot/nodes/pcg_city.h"
 
+#include <thread>
+
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/navigation_server3d.hpp>
 #include <godot_cpp/classes/worker_thread_pool.hpp>
@@ -35,6 +37,11 @@ void PCGCity::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_generate_on_ready", "enabled"), &PCGCity::set_generate_on_ready);
 	ClassDB::bind_method(D_METHOD("get_generate_on_ready"), &PCGCity::get_generate_on_ready);
 	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "generate_on_ready"), "set_generate_on_ready", "get_generate_on_ready");
+	ClassDB::bind_method(D_METHOD("set_asset_folders", "folders"), &PCGCity::set_asset_folders);
+	ClassDB::bind_method(D_METHOD("get_asset_folders"), &PCGCity::get_asset_folders);
+	const String array_of_folders = vformat("%d/%d:", int(Variant::STRING), int(PROPERTY_HINT_DIR));
+	ADD_PROPERTY(PropertyInfo(Variant::PACKED_STRING_ARRAY, "asset_folders", PROPERTY_HINT_TYPE_STRING, array_of_folders), "set_asset_folders",
+			"get_asset_folders");
 	ADD_GROUP("Navigation", "");
 	ClassDB::bind_method(D_METHOD("set_agent_radius", "metres"), &PCGCity::set_agent_radius);
 	ClassDB::bind_method(D_METHOD("get_agent_radius"), &PCGCity::get_agent_radius);
@@ -117,6 +124,7 @@ bool PCGCity::prepare_job(CityInput &input, Diagnostics &diagnostics) const {
 	}
 	input.layout.seed = uint64_t(_seed);
 	input.layout.land_use.clear();
+	input.asset_folders = from_godot(_asset_folders);
 	if (_lot_types.is_empty()) {
 		diagnostics.error("missing-lot-types", "PCGCity has no lot types",
 				"add a PCGLotType for each kind of lot to `lot_types`, with the rules that build it");
@@ -175,6 +183,9 @@ bool PCGCity::generate_now() {
 	}
 	while (is_generating()) {
 		go_on();
+		if (_task >= 0) {
+			std::this_thread::sleep_for(std::chrono::microseconds(200));
+		}
 	}
 	return is_generated() && !_diagnostics.has_errors();
 }
@@ -218,6 +229,7 @@ void PCGCity::tell_end(bool is_good) { call_deferred("emit_signal", "city_genera
 void PCGCity::stop() {
 	if (_job) {
 		_job->is_cancelled = true;
+		_job->main->close();
 	}
 	wait_for_task();
 	while (_baker && _stage == Stage::Baking && _next_block < _baker->block_count()) {
@@ -242,6 +254,7 @@ void PCGCity::go_on() {
 	switch (_stage) {
 		case Stage::Idle: break;
 		case Stage::Growing:
+			_job->main->run_waiting();
 			tell_progress(_job->progress);
 			if (is_task_done()) {
 				wait_for_task();
@@ -264,7 +277,7 @@ void PCGCity::start_task(Stage stage) {
 	_stage = stage;
 	_stage_start = std::chrono::steady_clock::now();
 	_job->progress = 0.0f;
-	if (_is_async) {
+	if (_is_async || stage == Stage::Growing) { // lots may ask for what only the main thread gives, which so must not build them
 		_task = WorkerThreadPool::get_singleton()->add_task(callable_mp(this, &PCGCity::run_task), true, "PCGCity");
 	} else {
 		run_task();

@@ -39,6 +39,9 @@ public:
 	void set_agent_radius(double p_metres);
 	double get_agent_radius() const { return _agent_radius; }
 
+	void set_asset_folders(const godot::PackedStringArray &p_folders) { _asset_folders = p_folders; }
+	godot::PackedStringArray get_asset_folders() const { return _asset_folders; }
+
 	// Whatever comes of it, city_generated follows once, after this call has returned. False, with one error, if nothing sensible can be made.
 	bool generate();
 	// The same, but the city is there when it returns.
@@ -94,6 +97,7 @@ private:
 	int64_t _seed = 1;
 	bool _generate_on_ready = false;
 	double _agent_radius = 0.25;
+	godot::PackedStringArray _asset_folders;
 
 	Stage _stage = Stage::Idle;
 	bool _is_async = true;

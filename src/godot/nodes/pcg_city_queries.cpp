@@ -6,7 +6,7 @@
 #include "core/io/gltf.h"
 #include "godot/convert.h"
 #include "godot/nodes/pcg_city.h"
-#include "godot/ports/engine_files.h"
+#include "godot/ports/engine_tree.h"
 #include "godot/report.h"
 
 using namespace godot;
@@ -16,7 +16,7 @@ namespace pcg {
 Error PCGCity::save_gltf(const String &p_path) const {
 	ERR_FAIL_COND_V_MSG(!_state, ERR_UNCONFIGURED, "PCGCity: there is no city yet. Call generate() and wait for city_generated.");
 	Diagnostics diagnostics;
-	EngineFiles pictures;
+	const EngineTree pictures;
 	write_glb(_state->city, from_godot(ProjectSettings::get_singleton()->globalize_path(p_path)), diagnostics, &pictures);
 	report(diagnostics);
 	return diagnostics.has_errors() ? ERR_FILE_CANT_WRITE : OK;
@@ -32,9 +32,10 @@ Dictionary PCGCity::get_statistics() const {
 		return result;
 	}
 	const City &city = _state->city;
-	int64_t faces = 0;
+	int64_t faces = 0, instances = 0;
 	for (const LotBuild &lot : city.lots) {
 		faces += int64_t(lot.model.face_count);
+		instances += int64_t(lot.model.instances.size());
 	}
 	Dictionary entrances;
 	for (const Entrance &entrance : city.model.entrances()) {
@@ -44,6 +45,7 @@ Dictionary PCGCity::get_statistics() const {
 	result["blocks"] = int64_t(city.layout.blocks.size());
 	result["lots"] = int64_t(city.layout.lots.size());
 	result["faces"] = faces;
+	result["instances"] = instances;
 	result["buildings"] = int64_t(city.model.buildings().size());
 	result["entrances"] = entrances;
 	result["zones"] = int64_t(city.model.zones().size());

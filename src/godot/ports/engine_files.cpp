@@ -12,8 +12,6 @@ namespace pcg {
 
 namespace {
 
-constexpr uint64_t max_file_size = uint64_t(1) << 30;
-
 Diagnostic failure(const String &path, std::string_view id, std::string message, std::string hint) {
 	Diagnostic diagnostic;
 	diagnostic.id = id;
@@ -25,7 +23,7 @@ Diagnostic failure(const String &path, std::string_view id, std::string message,
 
 } // namespace
 
-Result<std::string> read_engine_file(const String &path) {
+Result<std::string> read_engine_file(const String &path, uint64_t limit) {
 	if (DirAccess::dir_exists_absolute(path)) {
 		return failure(path, "unreadable-file", "this is a folder, not a file", "name a file in it");
 	}
@@ -36,8 +34,8 @@ Result<std::string> read_engine_file(const String &path) {
 	if (file.is_null()) {
 		return failure(path, "unreadable-file", "the file cannot be opened", "check that you may read it");
 	}
-	if (file->get_length() > max_file_size) {
-		return failure(path, "huge-file", "the file is larger than 1 GiB", "this is hardly the file that you mean");
+	if (file->get_length() > limit) {
+		return failure(path, "huge-file", "the file is larger than " + std::to_string(limit >> 20) + " MiB", "this is hardly the file that you mean");
 	}
 	const PackedByteArray bytes = file->get_buffer(int64_t(file->get_length()));
 	return std::string(reinterpret_cast<const char *>(bytes.ptr()), size_t(bytes.size()));

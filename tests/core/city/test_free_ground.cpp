@@ -35,6 +35,12 @@ void add_walls(Mesh &mesh, float x0, float x1, float z0, float z1, float y0, flo
 	}
 }
 
+cga::DerivationResult model_of(Mesh mesh) {
+	cga::DerivationResult model;
+	model.mesh = std::move(mesh);
+	return model;
+}
+
 double total_area(const std::vector<std::vector<glm::vec3>> &pieces) {
 	double sum = 0.0;
 	for (const std::vector<glm::vec3> &piece : pieces) {
@@ -60,7 +66,7 @@ bool covers(const std::vector<std::vector<glm::vec3>> &pieces, float x, float de
 } // namespace
 
 TEST_CASE("an empty lot is free as a whole") {
-	const auto pieces = free_ground(square_lot(), Mesh());
+	const auto pieces = free_ground(square_lot(), cga::DerivationResult());
 	REQUIRE(pieces.size() == 1);
 	CHECK(total_area(pieces) == doctest::Approx(400.0));
 }
@@ -68,7 +74,7 @@ TEST_CASE("an empty lot is free as a whole") {
 TEST_CASE("neither the walls nor the inside of a building can be walked on") {
 	Mesh mesh;
 	add_walls(mesh, 5, 15, 4, 12, 0, 6);
-	const auto pieces = free_ground(square_lot(), mesh);
+	const auto pieces = free_ground(square_lot(), model_of(mesh));
 	CHECK_FALSE(covers(pieces, 10, 8));
 	CHECK(covers(pieces, 10, 2));
 	CHECK(covers(pieces, 2, 18));
@@ -82,17 +88,17 @@ TEST_CASE("what hangs above heads or lies under feet does not stand in the way")
 	Mesh mesh;
 	add_face(mesh, { { 5, 2.5f, -5 }, { 15, 2.5f, -5 }, { 15, 2.5f, -15 }, { 5, 2.5f, -15 } });
 	add_face(mesh, { { 5, 0.2f, -5 }, { 15, 0.2f, -5 }, { 15, 0.2f, -15 }, { 5, 0.2f, -15 } });
-	CHECK(total_area(free_ground(square_lot(), mesh)) == doctest::Approx(400.0));
+	CHECK(total_area(free_ground(square_lot(), model_of(mesh))) == doctest::Approx(400.0));
 }
 
 TEST_CASE("a table and a low end of a roof stand in the way where they are between knee and head") {
 	Mesh table;
 	add_face(table, { { 5, 1, -5 }, { 10, 1, -5 }, { 10, 1, -10 }, { 5, 1, -10 } });
-	CHECK(total_area(free_ground(square_lot(), table)) == doctest::Approx(375.0));
+	CHECK(total_area(free_ground(square_lot(), model_of(table))) == doctest::Approx(375.0));
 	// From the ground at depth 10 to 4 m height at depth 20: below head height up to depth 15, above a step from 10.875 on.
 	Mesh roof;
 	add_face(roof, { { 0, 0, -10 }, { 20, 0, -10 }, { 20, 4, -20 }, { 0, 4, -20 } });
-	const auto pieces = free_ground(square_lot(), roof);
+	const auto pieces = free_ground(square_lot(), model_of(roof));
 	CHECK(covers(pieces, 10, 10.5f));
 	CHECK_FALSE(covers(pieces, 10, 12));
 	// What lies behind cannot be reached from the street.
@@ -103,14 +109,14 @@ TEST_CASE("a closed courtyard is left out, one with a gate is kept") {
 	Mesh closed;
 	add_walls(closed, 2, 18, 2, 18, 0, 5);
 	add_walls(closed, 6, 14, 6, 14, 0, 5);
-	CHECK_FALSE(covers(free_ground(square_lot(), closed), 10, 10));
+	CHECK_FALSE(covers(free_ground(square_lot(), model_of(closed)), 10, 10));
 	Mesh open = closed;
 	// Without the outer and inner front walls, and with walls along the passage between them from x = 9 to 11.
 	open.faces.erase(open.faces.begin() + 4);
 	open.faces.erase(open.faces.begin());
 	add_walls(open, 2, 9, 2, 6, 0, 5);
 	add_walls(open, 11, 18, 2, 6, 0, 5);
-	const auto pieces = free_ground(square_lot(), open);
+	const auto pieces = free_ground(square_lot(), model_of(open));
 	CHECK(covers(pieces, 10, 10));
 	CHECK(covers(pieces, 10, 4));
 	CHECK_FALSE(covers(pieces, 5, 4));
@@ -119,7 +125,7 @@ TEST_CASE("a closed courtyard is left out, one with a gate is kept") {
 TEST_CASE("a lot that is built over completely has no free ground") {
 	Mesh mesh;
 	add_walls(mesh, 0, 20, 0, 20, 0, 5);
-	CHECK(free_ground(square_lot(), mesh).empty());
+	CHECK(free_ground(square_lot(), model_of(mesh)).empty());
 }
 
 TEST_CASE("free ground turns with the lot") {
@@ -127,7 +133,7 @@ TEST_CASE("free ground turns with the lot") {
 	std::rotate(lot.polygon.begin(), lot.polygon.begin() + 2, lot.polygon.end());
 	Mesh mesh;
 	add_walls(mesh, 0, 20, 10, 12, 0, 5); // a wall from side to side
-	const auto pieces = free_ground(lot, mesh);
+	const auto pieces = free_ground(lot, model_of(mesh));
 	// The street now lies at the far side.
 	CHECK(covers(pieces, 10, 18));
 	CHECK_FALSE(covers(pieces, 10, 5));
@@ -138,24 +144,42 @@ TEST_CASE("free ground turns with the lot") {
 		skew.polygon.push_back({ corner.x * c - corner.z * s, 0, corner.x * s + corner.z * c });
 	}
 	skew.street_widths = { 8, 0, 0, 0 };
-	CHECK(total_area(free_ground(skew, Mesh())) == doctest::Approx(400.0));
+	CHECK(total_area(free_ground(skew, cga::DerivationResult())) == doctest::Approx(400.0));
 }
 
 TEST_CASE("a triangular lot keeps its outline") {
 	Lot lot;
 	lot.polygon = { { 0, 0, 0 }, { 20, 0, 0 }, { 0, 0, -20 } };
 	lot.street_widths = { 8, 0, 0 };
-	CHECK(total_area(free_ground(lot, Mesh())) == doctest::Approx(200.0).epsilon(0.01));
+	CHECK(total_area(free_ground(lot, cga::DerivationResult())) == doctest::Approx(200.0).epsilon(0.01));
 }
 
 TEST_CASE("broken geometry and lots give no ground, not a crash") {
 	Mesh mesh;
 	add_face(mesh, { { NAN, 1, -5 }, { 1e30f, NAN, -5 }, { -1e30f, 1, INFINITY } });
 	add_face(mesh, { { 1, 1, -5 } });
-	CHECK(total_area(free_ground(square_lot(), mesh)) > 0.0);
+	CHECK(total_area(free_ground(square_lot(), model_of(mesh))) > 0.0);
 	Lot flat;
 	flat.polygon = { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 } };
 	flat.street_widths = { 1, 1, 1 };
-	CHECK(free_ground(flat, mesh).empty());
-	CHECK(free_ground(Lot(), mesh).empty());
+	CHECK(free_ground(flat, model_of(mesh)).empty());
+	CHECK(free_ground(Lot(), model_of(mesh)).empty());
+}
+
+TEST_CASE("what is inserted stands in the way where it is placed, unless it belongs to an object") {
+	Mesh table; // 1 x 1 m, 1 m high
+	add_face(table, { { 0, 1, 0 }, { 1, 1, 0 }, { 1, 1, -1 }, { 0, 1, -1 } });
+	cga::DerivationResult model;
+	model.prototypes.push_back({ std::make_shared<const Mesh>(table), {} });
+	// Five times as wide and deep, from (5, 5) to (10, 10): 25 of the 400 square metres.
+	model.instances.push_back({ 0, -1, glm::dmat3({ 5, 0, 0 }, { 0, 1, 0 }, { 0, 0, 5 }), { 5, 0, -5 } });
+	const auto pieces = free_ground(square_lot(), model);
+	CHECK(total_area(pieces) == doctest::Approx(375.0));
+	CHECK_FALSE(covers(pieces, 7, 7));
+	CHECK(covers(pieces, 3, 7));
+	model.instances[0].origin.y = 1.5; // over all heads
+	CHECK(total_area(free_ground(square_lot(), model)) == doctest::Approx(400.0));
+	model.instances[0].origin.y = 0.0;
+	model.instances[0].object = 0;
+	CHECK(total_area(free_ground(square_lot(), model)) == doctest::Approx(400.0));
 }

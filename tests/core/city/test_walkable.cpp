@@ -19,7 +19,7 @@ City empty_city(const LayoutParameters &parameters) {
 	city.layout = *make_layout(parameters, diagnostics);
 	city.lots.resize(city.layout.lots.size());
 	for (size_t i = 0; i < city.lots.size(); ++i) {
-		city.lots[i].free_ground = free_ground(city.layout.lots[i], Mesh());
+		city.lots[i].free_ground = free_ground(city.layout.lots[i], cga::DerivationResult());
 	}
 	return city;
 }

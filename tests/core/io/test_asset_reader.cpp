@@ -137,3 +137,18 @@ TEST_CASE("a glTF file cut off anywhere, or with any byte changed, is read or re
 		CHECK_FALSE(read_asset(files, "m.gltf").problem.empty());
 	}
 }
+
+TEST_CASE("a picture within a glTF file is had by its number; others are files, whatever stands in their name") {
+	MemoryTree files;
+	files.add("m.gltf", R"({"asset":{"version":"2.0"},"images":[{"uri":"data:image/png;base64,iVBORw=="}]})"); // \x89PNG
+	files.add("wall#0.png", "wall");
+	const auto read = [&](const std::string &name) {
+		const Result<std::string> bytes = read_picture(files, name, 100);
+		return bytes ? *bytes : "none";
+	};
+	CHECK(read("m.gltf#0") == "\x89PNG");
+	CHECK(read("wall#0.png") == "wall");
+	for (const char *name : { "m.gltf#1", "m.gltf#", "m.gltf#x", "m.gltf#-1", "n.gltf#0", "wall#0", "#" }) {
+		CHECK_MESSAGE(read(name) == "none", name);
+	}
+}

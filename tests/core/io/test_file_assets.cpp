@@ -26,7 +26,46 @@ public:
 	}
 };
 
+// Knows what an exported game still has of lost.obj and lost.png.
+class Imports final : public ImportedFiles {
+public:
+	std::optional<Asset> model(const std::string &path) const override {
+		++asked;
+		if (path != "p/assets/lost.obj") {
+			return std::nullopt;
+		}
+		Asset asset;
+		asset.mesh.positions = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
+		asset.mesh.loop_ends = { 3 };
+		asset.mesh.faces = { { 0, 1, 0, { 0, 0, 1 } } };
+		return asset;
+	}
+	std::optional<ImageInfo> picture(const std::string &path) const override {
+		return path == "p/assets/lost.png" ? std::optional(ImageInfo{ { 8, 4 }, true }) : std::nullopt;
+	}
+
+	mutable int asked = 0;
+};
+
 } // namespace
+
+TEST_CASE("what is only there as an import is taken from there, once; everything else is read") {
+	auto tree = std::make_shared<MemoryTree>();
+	tree->add("p/assets/lost.obj", ""); // the tree tells of them, and has nothing in them
+	tree->add("p/assets/lost.png", "");
+	tree->add("p/assets/a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+	const auto imports = std::make_shared<Imports>();
+	const FileAssets assets({}, tree, imports);
+	for (int i = 0; i < 2; ++i) {
+		const Asset *lost = assets.find("lost.obj", "p/rules/x.cga"), *kept = assets.find("a.obj", "p/rules/x.cga");
+		REQUIRE((lost != nullptr && kept != nullptr));
+		CHECK(lost->mesh.positions.size() == 3);
+		CHECK(kept->mesh.positions.size() == 4);
+	}
+	CHECK(imports->asked == 2);
+	CHECK(assets.image_size("lost.png", "p/rules/x.cga") == glm::uvec2(8, 4));
+	CHECK(assets.has_alpha("lost.png", "p/rules/x.cga"));
+}
 
 TEST_CASE("an asset is read once, by whatever name and thread it is wanted") {
 	auto tree = std::make_shared<CountingTree>();

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -174,4 +175,38 @@ TEST_CASE("a place that cannot be written to is an error, and nothing is left th
 	std::filesystem::create_directories(scratch("folder"));
 	CHECK_FALSE(write_glb(sample_model(), "house", scratch("folder"), diagnostics));
 	CHECK(diagnostics.error_count() == 1);
+}
+
+TEST_CASE("what is inserted many times is one mesh with a node for each place; other materials share its corners") {
+	cga::DerivationResult model = sample_model();
+	Mesh square;
+	add_square(square, 1.0f, 0.0f, 0);
+	const auto mesh = std::make_shared<const Mesh>(square);
+	model.prototypes = { { mesh, { 0 } }, { mesh, { 1 } } };
+	const glm::dmat3 doubled(2.0);
+	model.instances = { { 0, -1, doubled, { 7, 0, 0 } }, { 0, -1, doubled, { 9, 0, 0 } }, { 1, 2, glm::dmat3(1.0), { 0, 1, 0 } } };
+	Diagnostics diagnostics;
+	REQUIRE(write_glb(model, "house", scratch("instances.glb"), diagnostics));
+	const tinygltf::Model file = load(scratch("instances.glb"));
+	std::vector<const tinygltf::Node *> nodes;
+	for (const tinygltf::Node &node : file.nodes) {
+		if (node.name == "instance") {
+			nodes.push_back(&node);
+		}
+	}
+	REQUIRE(nodes.size() == 3);
+	CHECK(file.meshes.size() == 5); // the house, two kinds of benches, the square in two materials
+	CHECK(nodes[0]->mesh == nodes[1]->mesh);
+	CHECK(nodes[0]->mesh != nodes[2]->mesh);
+	CHECK(nodes[1]->matrix == std::vector<double>{ 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 9, 0, 0, 1 });
+	const tinygltf::Primitive &first = file.meshes[size_t(nodes[0]->mesh)].primitives[0], &last = file.meshes[size_t(nodes[2]->mesh)].primitives[0];
+	CHECK(first.attributes == last.attributes);
+	CHECK(file.materials[size_t(first.material)].name == "wall");
+	CHECK(file.materials[size_t(last.material)].name == "glass");
+	// Below the house and below the third bench.
+	const auto is_child = [&](const tinygltf::Node &parent, const tinygltf::Node *child) {
+		return std::ranges::any_of(parent.children, [&](int i) { return &file.nodes[size_t(i)] == child; });
+	};
+	CHECK(is_child(file.nodes[0], nodes[0]));
+	CHECK(is_child(file.nodes[3], nodes[2]));
 }

@@ -6,10 +6,10 @@
 #include <map>
 
 #include "core/geometry/shown_material.h"
+#include "core/io/file_tree.h"
 #include "core/io/gltf.h"
 #include "core/io/gltf_library.h"
 #include "core/io/gltf_materials.h"
-#include "core/lang/source.h"
 
 using namespace pcg;
 
@@ -17,16 +17,19 @@ namespace {
 
 const std::string png("\x89PNG\r\n\x1a\n first", 15), jpeg("\xFF\xD8\xFF\xE0 second", 11);
 
-class Pictures : public SourceProvider {
+class Pictures : public FileTree {
 public:
-	Result<std::string> read(const std::string &path) override {
+	bool has_file(const std::string &path) const override { return files.contains(path); }
+	bool has_folder(const std::string &) const override { return false; }
+	std::vector<Entry> list(const std::string &) const override { return {}; }
+	Result<std::string> read(const std::string &path, size_t) const override {
 		++reads;
 		const auto found = files.find(path);
 		return found != files.end() ? Result<std::string>(found->second) : Result<std::string>(Diagnostic{});
 	}
 
 	std::map<std::string, std::string> files = { { "brick.png", png }, { "dirt.jpg", jpeg }, { "old.tif", "II*" } };
-	int reads = 0;
+	mutable int reads = 0;
 };
 
 // One square metre; u, v as x and -z in set 0, twice that in set 2.

@@ -9,8 +9,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "core/cga/derivation.h"
 #include "core/cga/dialect.h"
+#include "core/cga/instances.h"
 #include "core/cga/neighborhood.h"
 #include "core/io/file_assets.h"
 #include "core/io/rule_loader.h"
@@ -362,7 +362,7 @@ Outcome run(const RuleTest &test) {
 	if (program != nullptr) {
 		std::vector<cga::InitialShape> shapes = test.neighbors;
 		shapes.push_back(test.shape);
-		outcome.model = std::move(cga::derive_all(*program, shapes, test.options, { 1, {}, nullptr }).back());
+		outcome.model = cga::written_out(std::move(cga::derive_all(*program, shapes, test.options, { 1, {}, nullptr }).back()));
 		outcome.diagnostics.append(outcome.model.diagnostics);
 	}
 	return outcome;

@@ -91,7 +91,7 @@ void check_doors(const DerivationResult &model, const ShippedRules &rules) {
 		lot.polygon.push_back(glm::vec3(corner));
 	}
 	lot.street_widths = { 8, 0, 0, 0 };
-	const auto ground = free_ground(lot, model.mesh);
+	const auto ground = free_ground(lot, model);
 	for (const ModelEntrance &door : model.entrances) {
 		INFO(door.type << " at " << door.position.x << " " << door.position.z);
 		CHECK(std::abs(door.position.y) < 1e-3f);
