@@ -6,7 +6,6 @@
 #include <godot_cpp/classes/navigation_server3d.hpp>
 #include <godot_cpp/classes/worker_thread_pool.hpp>
 #include <godot_cpp/classes/world3d.hpp>
-#include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
@@ -21,51 +20,6 @@ PCGCity::PCGCity() = default;
 
 // A city generates only in the tree, and stops when it leaves: there is nothing to wait for here.
 PCGCity::~PCGCity() = default;
-
-void PCGCity::_bind_methods() {
-	ClassDB::bind_method(D_METHOD("set_layout", "layout"), &PCGCity::set_layout);
-	ClassDB::bind_method(D_METHOD("get_layout"), &PCGCity::get_layout);
-	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "layout", PROPERTY_HINT_RESOURCE_TYPE, "PCGLayout"), "set_layout", "get_layout");
-	ClassDB::bind_method(D_METHOD("set_lot_types", "types"), &PCGCity::set_lot_types);
-	ClassDB::bind_method(D_METHOD("get_lot_types"), &PCGCity::get_lot_types);
-	const String array_of_lot_types = vformat("%d/%d:PCGLotType", int(Variant::OBJECT), int(PROPERTY_HINT_RESOURCE_TYPE));
-	ADD_PROPERTY(PropertyInfo(Variant::ARRAY, "lot_types", PROPERTY_HINT_ARRAY_TYPE, array_of_lot_types), "set_lot_types",
-			"get_lot_types");
-	ClassDB::bind_method(D_METHOD("set_seed", "seed"), &PCGCity::set_seed);
-	ClassDB::bind_method(D_METHOD("get_seed"), &PCGCity::get_seed);
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "seed"), "set_seed", "get_seed");
-	ClassDB::bind_method(D_METHOD("set_generate_on_ready", "enabled"), &PCGCity::set_generate_on_ready);
-	ClassDB::bind_method(D_METHOD("get_generate_on_ready"), &PCGCity::get_generate_on_ready);
-	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "generate_on_ready"), "set_generate_on_ready", "get_generate_on_ready");
-	ClassDB::bind_method(D_METHOD("set_asset_folders", "folders"), &PCGCity::set_asset_folders);
-	ClassDB::bind_method(D_METHOD("get_asset_folders"), &PCGCity::get_asset_folders);
-	const String array_of_folders = vformat("%d/%d:", int(Variant::STRING), int(PROPERTY_HINT_DIR));
-	ADD_PROPERTY(PropertyInfo(Variant::PACKED_STRING_ARRAY, "asset_folders", PROPERTY_HINT_TYPE_STRING, array_of_folders), "set_asset_folders",
-			"get_asset_folders");
-	ADD_GROUP("Navigation", "");
-	ClassDB::bind_method(D_METHOD("set_agent_radius", "metres"), &PCGCity::set_agent_radius);
-	ClassDB::bind_method(D_METHOD("get_agent_radius"), &PCGCity::get_agent_radius);
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "agent_radius", PROPERTY_HINT_RANGE, "0,1,0.05,suffix:m"), "set_agent_radius",
-			"get_agent_radius");
-
-	ClassDB::bind_method(D_METHOD("generate"), &PCGCity::generate);
-	ClassDB::bind_method(D_METHOD("generate_now"), &PCGCity::generate_now);
-	ClassDB::bind_method(D_METHOD("cancel"), &PCGCity::cancel);
-	ClassDB::bind_method(D_METHOD("clear"), &PCGCity::clear);
-	ClassDB::bind_method(D_METHOD("is_generating"), &PCGCity::is_generating);
-	ClassDB::bind_method(D_METHOD("is_generated"), &PCGCity::is_generated);
-	ClassDB::bind_method(D_METHOD("get_diagnostics"), &PCGCity::get_diagnostics);
-	ClassDB::bind_method(D_METHOD("get_statistics"), &PCGCity::get_statistics);
-	ClassDB::bind_method(D_METHOD("get_building_count"), &PCGCity::get_building_count);
-	ClassDB::bind_method(D_METHOD("find_path", "from", "to"), &PCGCity::find_path);
-	ClassDB::bind_method(D_METHOD("get_distance", "building", "other"), &PCGCity::get_distance);
-	ClassDB::bind_method(D_METHOD("save_gltf", "path"), &PCGCity::save_gltf);
-
-	ADD_SIGNAL(MethodInfo("generation_started"));
-	ADD_SIGNAL(MethodInfo("generation_progressed", PropertyInfo(Variant::STRING, "stage"), PropertyInfo(Variant::FLOAT, "fraction")));
-	ADD_SIGNAL(MethodInfo("city_generated", PropertyInfo(Variant::BOOL, "success")));
-	ADD_SIGNAL(MethodInfo("city_cleared"));
-}
 
 void PCGCity::set_layout(const Ref<PCGLayout> &p_layout) {
 	_layout = p_layout;

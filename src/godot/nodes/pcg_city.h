@@ -70,6 +70,8 @@ protected:
 	void _notification(int p_what);
 
 private:
+	static void bind_properties();
+
 	enum class Stage { Idle, Growing, Building, Baking, Joining };
 
 	bool begin(bool is_async);
