@@ -202,6 +202,14 @@ func test_with_auto_start_life_goes_on_in_the_new_city_without_a_word() -> void:
 	check(_citizens.is_running(), "it runs again")
 
 
+func test_auto_start_without_a_city_says_so() -> void:
+	expect_message("auto_start waits for a city, and there is none")
+	var citizens := CitizenManager.new()
+	citizens.auto_start = true
+	add_child(citizens)
+	check(not citizens.is_running(), "nothing runs")
+
+
 func test_an_unknown_start_rule_is_one_error() -> void:
 	expect_message("the rules have no rule 'Houshold' without parameters to start with")
 	_citizens.start_rule = "Houshold"

@@ -100,6 +100,16 @@ func test_every_generation_ends_in_one_signal_after_the_call() -> void:
 	check_equal(told, [false, true, true, false] as Array[bool], "once each")
 
 
+func test_an_error_in_lots_is_no_success_but_leaves_a_city() -> void:
+	expect_message("there is no rule \"Nowhere\"")
+	var city: PCGCity = CityForTests.make_city(12)
+	city.lot_types[0].start_rule = "Nowhere"
+	add_child(city)
+	city.generate()
+	check_equal(await city.city_generated, false, "it is told")
+	check(city.is_generated(), "the other lots are there")
+
+
 func test_a_generation_that_is_cut_off_is_told() -> void:
 	var city: PCGCity = CityForTests.make_city(200)
 	add_child(city)

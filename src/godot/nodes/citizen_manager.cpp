@@ -41,21 +41,22 @@ void CitizenManager::_notification(int p_what) {
 }
 
 void CitizenManager::_ready() {
-	PCGCity *city = get_city();
-	if (!_auto_start || Engine::get_singleton()->is_editor_hint() || !city) {
+	if (!_auto_start || Engine::get_singleton()->is_editor_hint()) {
 		return;
 	}
+	PCGCity *city = get_city();
+	ERR_FAIL_NULL_MSG(city, "CitizenManager: auto_start waits for a city, and there is none. Set `city` before this node enters the tree.");
 	const godot::Callable start_then = callable_mp(this, &CitizenManager::on_city_generated);
 	if (!city->is_connected("city_generated", start_then)) {
 		city->connect("city_generated", start_then);
 	}
-	if (city->is_generated()) {
-		on_city_generated(true);
-	}
+	on_city_generated(true);
 }
 
-void CitizenManager::on_city_generated(bool p_success) {
-	if (p_success && _auto_start && generate_population()) {
+// A city with an error in some lots can be lived in. After cancel() the one before may still be there, and life in it goes on.
+void CitizenManager::on_city_generated(bool) {
+	const PCGCity *city = get_city();
+	if (_auto_start && !is_running() && city && city->is_generated() && generate_population()) {
 		start();
 	}
 }

@@ -103,7 +103,7 @@ private:
 	void tell_broken_promises();
 	void flush_lives() const;
 	void tell_rule_messages();
-	void on_city_generated(bool p_success);
+	void on_city_generated(bool);
 	void follow_city();
 	void leave_lost_city();
 

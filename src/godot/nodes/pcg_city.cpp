@@ -307,7 +307,7 @@ void PCGCity::finish() {
 	_state = _job->state;
 	_builder->mark_unreachable(_job->reach);
 	report(_diagnostics);
-	end(true);
+	end(!_diagnostics.has_errors());
 }
 
 void PCGCity::fail() {
