@@ -56,13 +56,14 @@ bool taper(Shape &shape, double height, GeometryBuilder &builder, Arena &arena) 
 	}
 	const uint16_t material = geometry->faces[0].material;
 	builder.clear();
+	Loop bottom = base;
+	reverse_keeping_first_edge(bottom);
+	builder.add_loop(bottom);
+	builder.end_face(FaceTag::None, material);
 	for (size_t i = 0; i < base.size(); ++i) {
 		builder.add_loop(Loop{ base[i], base[(i + 1) % base.size()], apex });
 		builder.end_face(FaceTag::None, material);
 	}
-	reverse_keeping_first_edge(base);
-	builder.add_loop(base);
-	builder.end_face(FaceTag::None, material);
 	set_geometry(shape, builder.finish(arena, true));
 	turn_scope_to(shape, normal, builder, arena);
 	if (height < 0.0) {

@@ -28,7 +28,7 @@ struct RoofFace {
 };
 
 struct Roof {
-	std::vector<RoofFace> faces; // planes and gables in order of edges, then the bottom
+	std::vector<RoofFace> faces; // planes and gables in order of edges (of a shed: walls, then the plane), then the bottom
 	bool is_complete = true; // false: the outline is not simple; what could be made is there
 };
 

@@ -227,9 +227,8 @@ Roof roof_shed(const RoofOutline &outline, RoofSlope slope, int edge) {
 	const double rise = slope.is_height ? value / (high - low) : std::tan(glm::radians(value));
 	// A concave outline may lie partly before the edge: the plane starts at its lowest point.
 	const Profile profile{ across, low, rise };
-	add_plane(roof, outline, profile, outline);
 	add_walls(roof, outline, profile);
-	sort_by_edge(roof);
+	add_plane(roof, outline, profile, outline);
 	add_bottom(roof, outline);
 	if (slope.value < 0.0) {
 		turn_over(roof);

@@ -1,5 +1,6 @@
 #include "core/geometry/roof.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/matrix.hpp>
@@ -66,8 +67,10 @@ Flow make_roof(Context &context, RoofArgs args, RoofMaker maker) {
 		const Frame frame = { axes_from_z(face_normal(*geometry, face), points[1] - points[0]), points[0] };
 		const glm::dvec2 along(frame.axes[0].x, frame.axes[1].x);
 		args.along = glm::dot(along, along) > 1e-12 ? along : glm::dvec2(1.0, 0.0);
-		const Roof roof = maker(flat_outline(*geometry, face, frame), args);
+		Roof roof = maker(flat_outline(*geometry, face, frame), args);
 		is_complete &= roof.is_complete;
+		// The original face is face 0: CityEngine's own files drop it so, with comp(f) { 0 : NIL | .. }.
+		std::ranges::stable_sort(roof.faces, {}, [](const RoofFace &part) { return part.part != RoofPart::Bottom; });
 		for (const RoofFace &part : roof.faces) {
 			add_loop(builder, part.outline, frame);
 			for (const auto &hole : part.holes) {
