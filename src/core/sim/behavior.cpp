@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/agenda/agenda_generator.h"
+#include "core/sim/saved_state.h"
 #include "core/sim/simulation.h"
 
 namespace pcg {
@@ -26,6 +27,7 @@ Behavior::Behavior(Simulation &simulation, const agenda::World &world, const Sim
 RunState Behavior::begin(PersonId person, RuleId rule) {
 	_person = person;
 	_rule = rule;
+	_pose = AgentPose::Stand;
 	_uses_on_arrival = false;
 	set_household(population().person(person).household);
 	set_focus(person);
@@ -47,6 +49,25 @@ void Behavior::end() {
 	if (_vm.is_paused()) {
 		_vm.abandon();
 	}
+}
+
+SavedBehavior Behavior::save() const {
+	return { _person, _rule, _pose, _uses_on_arrival, _random.key(), _random.counter(), _vm.save() };
+}
+
+bool Behavior::restore(const SavedBehavior &saved) {
+	if (index_of(saved.person) >= population().persons.size() || !_vm.restore(saved.run)) {
+		return false;
+	}
+	_person = saved.person;
+	_rule = saved.rule;
+	_pose = saved.pose;
+	_uses_on_arrival = saved.uses_on_arrival;
+	set_household(population().person(_person).household);
+	set_focus(_person);
+	_random.restore(saved.random_key, saved.random_counter);
+	_vm.use_random(_random);
+	return true;
 }
 
 Flow Behavior::wait(double seconds) {

@@ -10,6 +10,7 @@
 namespace pcg {
 
 class Simulation;
+struct SavedBehavior;
 struct SimulationSettings;
 
 // A delayed rule while it runs (PCG language, section 6): an interpreter that can be put aside, and what its operations do to the person.
@@ -26,6 +27,11 @@ public:
 		end();
 		return begin(_person, _rule);
 	}
+
+	// While it is paused; false: the saved run is damaged, or of another program.
+	SavedBehavior save() const;
+	bool restore(const SavedBehavior &saved);
+	RuleId rule() const { return _rule; }
 
 	// The operations; Pause: resume() is called when it is done, Stop: the rule ends.
 	Flow wait(double seconds);

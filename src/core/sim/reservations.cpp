@@ -27,6 +27,16 @@ uint8_t Reservations::take(const CityModel &city, ObjectId object, PersonId pers
 	return uint8_t(place - first);
 }
 
+bool Reservations::put(ObjectId object, uint8_t place, PersonId person) {
+	const size_t i = index_of(object);
+	if (i + 1 >= _first_place.size() || _first_place[i] + place >= _first_place[i + 1] ||
+			is_valid(_holders[_first_place[i] + place])) {
+		return false;
+	}
+	_holders[_first_place[i] + place] = person;
+	return true;
+}
+
 void Reservations::release(ObjectId object, uint8_t place) {
 	_holders[_first_place[index_of(object)] + place] = PersonId::Invalid;
 }

@@ -18,6 +18,8 @@ public:
 	void clear();
 	// The lowest free place of the object, now held by the person; `none` if there is none, or no such object.
 	uint8_t take(const CityModel &city, ObjectId object, PersonId person);
+	// That place; false if there is none, or somebody else has it.
+	bool put(ObjectId object, uint8_t place, PersonId person);
 	void release(ObjectId object, uint8_t place);
 	bool is_free(const CityModel &city, ObjectId object) const;
 	// Invalid when free.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -21,8 +20,10 @@
 #include "core/sim/event_queue.h"
 #include "core/sim/inserted_entries.h"
 #include "core/sim/observer.h"
+#include "core/sim/party.h"
 #include "core/sim/person_record.h"
 #include "core/sim/reservations.h"
+#include "core/sim/statistics.h"
 #include "core/sim/walk_pool.h"
 
 // Lives the agendas of a population (PCG language, sections 5 to 8; paper, "Procedural behavior simulation"). Driven by events: a step costs
@@ -30,6 +31,7 @@
 namespace pcg {
 
 class Behavior;
+struct SavedState;
 namespace agenda {
 struct World;
 }
@@ -39,20 +41,6 @@ struct SimulationSettings {
 	Duration patience = Duration::minutes(30); // how long members of a group wait for each other
 	std::vector<AttributeOverride> overrides; // as given to the generation
 	bool has_live_bodies = true; // false: AgentHost is never called
-};
-
-struct SimulationStatistics {
-	uint64_t trips = 0; // walks that reached their goal, counted per walker
-	// Persons who went in more than a second after a stayInside there was to begin. What a newer entry left of an older one begins when that one
-	// is over, not at a time that a rule wrote: nobody is late for it.
-	uint64_t late_arrivals = 0;
-	uint32_t outside = 0; // now
-	uint32_t peak_outside = 0;
-	SimTime peak_time; // the first moment of the peak
-	uint64_t handled_moments = 0; // taken from the queue: what the work is proportional to
-	std::array<uint64_t, sim_event_kind_count> events{}; // by SimEventKind
-
-	uint64_t count(SimEventKind kind) const { return events[size_t(kind)]; }
 };
 
 // What somebody does right now. Spans and references hold until the simulation moves on.
@@ -92,6 +80,11 @@ public:
 	// Reports everybody's present span to the observers as if it ended now; the life goes on in a new one. For the end of a log.
 	void flush_lived();
 	SimTime now() const { return _now; }
+	// The whole state as bytes, and back into a simulation of the same people, agendas and rules in the same city, started or not: from then on all
+	// goes on as it would have. Edits of the city since then are taken in as ever. False, with an error, and nothing changes: the bytes are damaged
+	// or of something else. io/state_file.h keeps them in files, with the people.
+	std::string save() const;
+	bool restore(std::string_view bytes, Diagnostics &diagnostics);
 	// When the next thing is due; now() + 7 days at the latest.
 	SimTime next_due() const;
 
@@ -109,6 +102,8 @@ public:
 	bool take_over(PersonId id);
 	// Where the game has a person whom it took over. False: it did not.
 	bool place_taken(PersonId id, glm::vec3 position);
+	// Must be called for everybody whose agenda in the AgendaSet became another one (agenda/agenda_edit.h): goes on with what the new one says.
+	void take_in_agenda(PersonId id);
 	// Gives it back: it gets a body where it is and goes on with its agenda from there.
 	bool release(PersonId id);
 	// Gone for good; its id stays. False: it is not there.
@@ -144,15 +139,6 @@ public:
 
 private:
 	friend class Behavior;
-
-	// One group task on one day (PCG language, section 5).
-	struct Party {
-		uint32_t group = PersonRecord::none;
-		PersonId leader = PersonId::Invalid;
-		BuildingId goal = BuildingId::Invalid;
-		std::vector<PersonId> pending; // joiners that the leader has not met yet, ascending
-		std::vector<PersonId> collected;
-	};
 
 	// simulation.cpp: the loop
 	PersonRecord &record(PersonId id) { return _persons[index_of(id)]; }
@@ -229,6 +215,15 @@ private:
 	void mend_goal(PersonId id);
 	void put_out(PersonId id);
 	void drop_everything(PersonId id);
+
+	// simulation_state.cpp
+	bool is_sound(const SavedState &state) const;
+	bool is_sound(const SavedState &state, PersonId id) const;
+	bool are_parties_sound(const SavedState &state) const;
+	bool names_a_place(const PersonRecord &person) const;
+	bool wake_behaviors(const SavedState &state, std::vector<std::unique_ptr<Behavior>> &behaviors);
+	void take_over_state(SavedState &&state, std::vector<std::unique_ptr<Behavior>> &&behaviors);
+	void take_in_record(PersonId id);
 
 	// time_jump.cpp
 	void place_everybody(SimTime time);

@@ -161,6 +161,33 @@ bool Simulation::insert_entry(const InsertedEntry &entry) {
 	return true;
 }
 
+void Simulation::take_in_agenda(PersonId id) {
+	if (!_has_started || !is_living(id)) {
+		return;
+	}
+	PersonRecord &person = record(id);
+	const PlannedEntry entry = plan_at(id, _now);
+	bool goes_on = entry.kind == person.entry_kind && entry.start == person.entry_start && entry.is_hole() == person.is_in_hole();
+	if (goes_on && person.behavior != PersonRecord::none && entry.kind == TaskKind::DelayedRule) {
+		goes_on = _behaviors[person.behavior]->rule() == RuleId(entry.target);
+	} else if (goes_on && person.is_in_group()) {
+		goes_on = _parties[person.party].group == entry.target;
+	} else if (goes_on && is_valid(building_of(id, entry))) {
+		goes_on = person.target().building() == building_of(id, entry);
+	}
+	person.entry_start = entry.start;
+	person.entry_task = entry.task;
+	person.entry_kind = entry.kind;
+	person.entry_end = goes_on ? entry.end : _now;
+	if (person.behavior != PersonRecord::none) {
+		person.rule_end = std::min(person.rule_end, person.entry_end);
+	}
+	if (!goes_on && !person.is_in_group()) {
+		begin_entry(id);
+	}
+	schedule(id);
+}
+
 // Its rule, group, walk and seat.
 void Simulation::drop_everything(PersonId id) {
 	PersonRecord &person = record(id);

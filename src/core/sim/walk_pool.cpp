@@ -69,4 +69,13 @@ void WalkPool::clear() {
 	_free.clear();
 }
 
+void WalkPool::restore(std::vector<Walk> walks) {
+	_walks = std::move(walks);
+	_free.clear();
+	_free.reserve(_walks.capacity());
+	for (Walk &walk : _walks) {
+		walk.walkers = 0;
+	}
+}
+
 } // namespace pcg

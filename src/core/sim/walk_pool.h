@@ -36,6 +36,9 @@ public:
 	// One walker less; the last one frees the walk.
 	void leave(uint32_t walk);
 	void clear();
+	// Those of a saved state, without walkers as yet.
+	void restore(std::vector<Walk> walks);
+	void join(uint32_t walk) { ++_walks[walk].walkers; }
 	const Walk &operator[](uint32_t walk) const { return _walks[walk]; }
 	size_t in_use() const { return _walks.size() - _free.size(); }
 

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include "core/agenda/agenda_edit.h"
 #include "core/sim/invariants.h"
 #include "tests/core/sim/random_town.h"
 
@@ -73,6 +74,35 @@ TEST_CASE("an entry whose time has come begins at once; what cannot be is refuse
 	CHECK(!simulation.insert_entry(wrong));
 	simulation.jump_to(moment(0, 8, 8)); // a jump knows of it too
 	CHECK(simulation.view(t.ana).place == target_of(t.plaza));
+}
+
+TEST_CASE("an agenda that was changed for every week is lived from then on") {
+	Commuter t;
+	Simulation &simulation = t.start();
+	simulation.advance_to(moment(0, 8, 4)); // on the way to work, 240 m from home
+	Task task;
+	task.kind = TaskKind::GoToBuilding;
+	task.start_ms = at(12);
+	task.end_ms = at(13);
+	task.target = index_of(t.plaza);
+	for (PersonId id : insert_task(t.town.agendas, t.town.population, t.ana, task).changed) {
+		simulation.take_in_agenda(id);
+	}
+	simulation.advance_to(moment(0, 8, 30));
+	CHECK(t.recorder.has("08:10:00 0 entered-building building 1")); // the walk went on
+	task.start_ms = at(8);
+	task.end_ms = at(9);
+	for (PersonId id : insert_task(t.town.agendas, t.town.population, t.ana, task).changed) {
+		simulation.take_in_agenda(id);
+	}
+	simulation.advance_to(moment(0, 20));
+	CHECK(t.recorder.has("08:38:20 0 entered-building building 2"));
+	CHECK(t.recorder.has("09:08:20 0 entered-building building 1"));
+	CHECK(t.recorder.has("12:08:20 0 entered-building building 2"));
+	CHECK(t.recorder.has("13:08:20 0 entered-building building 1"));
+	t.recorder.lines.clear();
+	simulation.advance_to(moment(1, 8, 10));
+	CHECK(t.recorder.has("08:01:40 0 entered-building building 2"));
 }
 
 TEST_CASE("somebody whom the game took over goes on with its day from where it is given back") {
