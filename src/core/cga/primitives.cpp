@@ -12,11 +12,12 @@ namespace {
 
 constexpr double tau = 6.283185307179586;
 
-// Counter-clockwise seen from above; the first edge looks to +z, as a lot's front does.
+// Counter-clockwise seen from above, corners on the circle, the first one on +z: so a circle with a multiple of four sides has the size of its
+// diameter along both axes.
 std::vector<glm::dvec3> circle(uint32_t sides, double y, double radius) {
 	std::vector<glm::dvec3> points;
 	for (uint32_t i = 0; i < sides; ++i) {
-		const double angle = tau * (0.75 + (double(i) - 0.5) / double(sides));
+		const double angle = tau * (0.75 + double(i) / double(sides));
 		points.push_back({ 0.5 + radius * std::cos(angle), y, 0.5 - radius * std::sin(angle) });
 	}
 	return points;

@@ -111,7 +111,8 @@ TEST_CASE("closed surfaces stay closed: the two sides of any cut add up to the w
 			make_primitive(PrimitiveKind::Cone, 5, 0, arena), make_primitive(PrimitiveKind::Sphere, 8, 6, arena) };
 		const Geometry *body = bodies[round % 4];
 		const glm::dvec3 normal = glm::normalize(glm::dvec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)));
-		const double offset = glm::dot(normal, glm::dvec3(random.uniform(0.2, 0.8), random.uniform(0.2, 0.8), random.uniform(0.2, 0.8)));
+		const double height = random.uniform(0.2, 0.8), reach = 0.28 * (1.0 - height); // a place that lies in all of them
+		const double offset = glm::dot(normal, glm::dvec3(random.uniform(0.5 - reach, 0.5 + reach), height, random.uniform(0.5 - reach, 0.5 + reach)));
 		const Geometry *a = clipper.clip(*body, { normal, offset }, arena);
 		const Geometry *b = clipper.clip(*body, { -normal, -offset }, arena);
 		REQUIRE(a != nullptr);

@@ -97,7 +97,7 @@ Flow put(Context &context, const Geometry *geometry, const Args &args, size_t ra
 	} else {
 		const double diameter = 2.0 * context.finite(args[radius_at]);
 		const double height = args.count() > radius_at + 1 ? context.finite(args[radius_at + 1]) : is_round_upwards ? diameter : shape.size.y;
-		place_on_floor(shape, geometry, { diameter, height, diameter });
+		place_on_floor(shape, geometry, glm::dvec3(diameter, height, diameter) * (geometry->high - geometry->low));
 	}
 	trim_inserted(context);
 	return Flow::Next;
@@ -132,7 +132,7 @@ Flow put_flat(Context &context, const Geometry *geometry, int normal, bool has_s
 		glm::dvec3 size(0.0);
 		size[normal == 0 ? 1 : 0] = width;
 		size[normal == 2 ? 1 : 2] = length;
-		place_in_plane(shape, geometry, size, normal);
+		place_in_plane(shape, geometry, size * (geometry->high - geometry->low), normal);
 	} else {
 		fit_to_scope(shape, geometry);
 	}
