@@ -14,6 +14,7 @@
 #include "godot/nodes/pcg_lot.h"
 #include "godot/nodes/pcg_object.h"
 #include "godot/nodes/pcg_zone.h"
+#include "godot/resources/pcg_district.h"
 #include "godot/resources/pcg_household_table.h"
 #include "godot/resources/pcg_layout.h"
 #include "godot/resources/pcg_lot_type.h"
@@ -36,6 +37,7 @@ void initialize_pcg(ModuleInitializationLevel p_level) {
 	GDREGISTER_CLASS(pcg::PCGRuleSet);
 	GDREGISTER_INTERNAL_CLASS(pcg::PCGRuleSetLoader);
 	GDREGISTER_CLASS(pcg::PCGHouseholdTable);
+	GDREGISTER_CLASS(pcg::PCGDistrict);
 	GDREGISTER_CLASS(pcg::PCGLayout);
 	GDREGISTER_CLASS(pcg::PCGLotType);
 	GDREGISTER_CLASS(pcg::PCGLot);

@@ -170,6 +170,45 @@ func _length(points: PackedVector3Array) -> float:
 	return sum
 
 
+func test_every_kind_of_layout_makes_a_city_whose_doors_can_be_reached() -> void:
+	for kind: PCGLayout.Kind in [PCGLayout.KIND_GRID, PCGLayout.KIND_RADIAL, PCGLayout.KIND_GROWN]:
+		var city: PCGCity = CityForTests.make_city(60)
+		city.layout.kind = kind
+		city.layout.rings = 1
+		city.layout.jitter = 0.1
+		city.layout.removed = 0.1
+		add_child(city)
+		check(city.generate_now(), "kind %d: %s" % [kind, city.get_diagnostics()])
+		var buildings: int = city.get_building_count()
+		check(buildings > 20, "kind %d: %d buildings" % [kind, buildings])
+		for i: int in range(1, buildings):
+			check(is_finite(city.get_distance(0, i)), "kind %d: a way from building 0 to %d" % [kind, i])
+		city.free()
+
+
+func test_districts_decide_what_their_lots_become() -> void:
+	var city: PCGCity = CityForTests.make_city(40)
+	var west := PCGDistrict.new()
+	west.area = Rect2(0, 0, 0.5, 1)
+	west.weights = {"park": 1.0}
+	city.layout.districts = [west]
+	add_child(city)
+	check(city.generate_now(), "%s" % [city.get_diagnostics()])
+	for lot: PCGLot in get_tree().get_nodes_in_group(&"pcg_lots"):
+		if city.is_ancestor_of(lot) and lot.global_position.x < -1.0:
+			check_equal(lot.type, "park", "what lies in the west")
+
+
+func test_a_parameter_out_of_its_limits_is_named_with_its_limits() -> void:
+	expect_message("the number of spokes is 3, but must be from 5 to 64")
+	var city: PCGCity = CityForTests.make_city()
+	city.layout.kind = PCGLayout.KIND_RADIAL
+	city.layout.spokes = 3
+	check_equal(city.layout.get_lot_count(), 0, "no lots")
+	add_child(city)
+	check(not city.generate_now(), "it says no")
+
+
 func test_no_lots_are_refused_with_one_message() -> void:
 	expect_message("number of blocks")
 	var city: PCGCity = CityForTests.make_city()

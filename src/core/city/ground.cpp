@@ -25,11 +25,9 @@ void add_face(Mesh &mesh, const std::vector<glm::vec3> &polygon, float height, u
 	mesh.faces.push_back(face);
 }
 
-// Bars across a four-cornered crossing. Who crosses walks along its longer side, over one bar after the other.
+// Bars across a four-cornered crossing, whose first edge runs along the street: who crosses walks from it over one bar after the other.
 void add_stripes(Mesh &mesh, std::vector<glm::vec3> quad) {
-	if (glm::distance(quad[0], quad[1]) < glm::distance(quad[1], quad[2])) {
-		std::rotate(quad.begin(), quad.begin() + 1, quad.end());
-	}
+	std::rotate(quad.begin(), quad.begin() + 1, quad.end());
 	const float length = glm::distance(quad[0], quad[1]);
 	const size_t bars = std::min<size_t>(100, size_t((length + stripe_width) / (2.0f * stripe_width)));
 	const float margin = (length - stripe_width * float(2 * bars - 1)) / 2.0f;
@@ -51,7 +49,7 @@ GroundModel make_ground(const Layout &layout) {
 		const bool is_pavement = ground.kind == GroundKind::Pavement;
 		Mesh &mesh = is_pavement ? model.blocks[index_of(ground.block)] : model.streets;
 		add_face(mesh, ground.polygon, 0.0f, is_pavement ? Paving : Asphalt);
-		if (ground.kind == GroundKind::Crossing) {
+		if (ground.kind == GroundKind::Crossing && ground.polygon.size() == 4) {
 			add_stripes(mesh, ground.polygon);
 		}
 	}

@@ -11,19 +11,33 @@
 #include "core/base/ids.h"
 #include "core/city/land_use.h"
 
-// Where streets, blocks and lots lie, before anything is built (paper, "City generation": rectangular blocks with square-like lots).
-// Metres, y up, -z north, the city's middle at the origin, ground at y = 0. All polygons are counter-clockwise seen from above.
+// Where streets, blocks and lots lie, before anything is built. Metres, y up, -z north, the city's middle near the origin, ground at y = 0. All
+// polygons are counter-clockwise seen from above. Nothing that reads a layout may take blocks or lots for rectangles.
 namespace pcg {
 
+enum class LayoutKind : uint8_t {
+	Grid, // the paper's: rectangular blocks with square-like lots; less regular with `jitter` and `removed`
+	Radial, // rings of blocks around one in the middle
+	Grown, // land that was divided again and again: streets meet at all angles, mostly where one ends at another
+};
+
 struct LayoutParameters {
+	LayoutKind kind = LayoutKind::Grid;
+	// Of a grid; a grown city is about as large as a grid of so many blocks.
 	uint32_t blocks_x = 5; // [Limit: 1 to 1000] from west to east
 	uint32_t blocks_z = 6; // [Limit: 1 to 1000] from north to south
-	uint32_t lots_along = 5; // [Limit: 1 to 100] lots side by side along a block
+	// Of a radial city.
+	uint32_t rings = 4; // [Limit: 1 to 100] of blocks around the middle
+	uint32_t spokes = 7; // [Limit: 5 to 64] streets that leave the middle; farther out there are more
+	uint32_t lots_along = 5; // [Limit: 1 to 100] lots side by side along a block, or about as many where blocks differ
 	uint32_t lots_deep = 2; // [Limit: 1 or 2] rows of lots, back to back; more would have no street
 	float lot_front = 20.0f; // [Limit: 5 to 500 m] a lot's width along its street
 	float lot_aspect = 1.0f; // [Limit: 0.25 to 4] depth of a lot divided by its front
 	float street_width = 8.0f; // [Limit: 2 to 100 m] the carriageway
+	float main_street_width = 11.0f; // [Limit: 2 to 100 m] of the spokes from a radial city's middle, and around and through a grown city; no less than street_width
 	float pavement_width = 3.0f; // [Limit: 0.5 to 50 m] on each side
+	float jitter = 0.0f; // [Limit: 0 to 0.25] how far junctions are moved, as a part of a block's shorter side
+	float removed = 0.0f; // [Limit: 0 to 0.5] the part of the inner streets that is left out; their blocks become one
 	uint64_t seed = 1;
 	std::vector<LandUse> land_use = default_land_use();
 	std::vector<District> districts; // where one contains a lot, it decides instead of land_use
@@ -40,38 +54,59 @@ struct Lot {
 };
 
 struct CityBlock {
-	std::vector<LotId> lots;
+	std::vector<LotId> lots; // none: the block is a square of pavement, for it is too small to build on
 	std::vector<uint32_t> pavements; // indices in Layout::ground
-	glm::vec3 min{ 0.0f }, max{ 0.0f }; // with its pavements
-	// The block with its pavements and its half of the streets around (all of a street at the city's edge): these tile the city.
-	glm::vec3 cell_min{ 0.0f }, cell_max{ 0.0f };
+	std::vector<glm::vec3> outline; // with its pavements
 };
 
-enum class GroundKind : uint8_t { Street, Crossing, Pavement };
+// A stretch of street from junction to junction; indices in Layout::junctions.
+struct Street {
+	uint32_t from = 0, to = 0;
+	float width = 0.0f; // metres, the carriageway
+};
+constexpr uint32_t no_street = 0xFFFFFFFF;
+
+enum class GroundKind : uint8_t { Street, Junction, Crossing, Pavement };
 
 // A piece of public ground, convex. Pieces do not overlap; together with the lots they cover the whole city.
 struct Ground {
 	GroundKind kind = GroundKind::Street;
-	std::vector<glm::vec3> polygon;
+	std::vector<glm::vec3> polygon; // carriageways and crossings: the first edge runs along the street
 	BlockId block = BlockId::Invalid; // whose pavement this is; streets belong to none
+	uint32_t street = no_street; // on which it lies; junctions and squares lie on none
+};
+
+// A rectangle of the map. Tiles cover the city and do not overlap; ground for walking is baked tile by tile.
+struct Tile {
+	glm::vec3 min{ 0.0f }, max{ 0.0f };
 };
 
 struct Layout {
 	std::vector<CityBlock> blocks;
 	std::vector<Lot> lots;
+	std::vector<glm::vec3> junctions;
+	std::vector<Street> streets;
 	std::vector<Ground> ground;
-	glm::vec3 min{ 0.0f }, max{ 0.0f };
+	std::vector<Tile> tiles;
+	std::vector<glm::vec3> outline; // the city's edge
+	glm::vec3 min{ 0.0f }, max{ 0.0f }; // of the outline
 	uint64_t seed = 0;
 
 	const CityBlock &block(BlockId id) const { return blocks[index_of(id)]; }
 	const Lot &lot(LotId id) const { return lots[index_of(id)]; }
 };
 
+// False, and errors that name each parameter that is out of its limits.
+bool check_parameters(const LayoutParameters &parameters, Diagnostics &diagnostics);
+
 // Nothing, and errors that name the parameter and its limits, if the parameters make no city.
 std::optional<Layout> make_layout(const LayoutParameters &parameters, Diagnostics &diagnostics);
 
-// Parameters for a roughly square city of about `count` lots (exactly so up to 20), otherwise like `base`. Zero stays zero blocks,
-// which make_layout refuses.
+// How many blocks the parameters ask for.
+uint32_t block_count(const LayoutParameters &parameters);
+
+// Parameters for a roughly square city of about `count` lots (a plain grid: exactly so up to 20), otherwise like `base`. Zero stays zero
+// blocks, which make_layout refuses.
 LayoutParameters layout_for_lots(uint32_t count, LayoutParameters base = {});
 
 // "lot 12 (house)", for messages.

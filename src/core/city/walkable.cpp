@@ -39,6 +39,10 @@ void add_polygon(NavRegion &region, const std::vector<glm::vec3> &polygon, float
 constexpr float piece_length = 20.0f;
 
 void add_ground(NavRegion &region, std::vector<glm::vec3> quad, float cost) {
+	if (quad.size() != 4) {
+		add_polygon(region, quad, cost);
+		return;
+	}
 	const float length = glm::distance(quad[0], quad[1]);
 	if (length < glm::distance(quad[1], quad[2])) {
 		std::rotate(quad.begin(), quad.begin() + 1, quad.end());
@@ -51,9 +55,12 @@ void add_ground(NavRegion &region, std::vector<glm::vec3> quad, float cost) {
 	}
 }
 
+bool is_carriageway(GroundKind kind) { return kind == GroundKind::Street || kind == GroundKind::Junction; }
+
 float cost_of(GroundKind kind, const GroundCosts &costs) {
 	switch (kind) {
-		case GroundKind::Street: return costs.street;
+		case GroundKind::Street:
+		case GroundKind::Junction: return costs.street;
 		case GroundKind::Crossing: return costs.crossing;
 		case GroundKind::Pavement: return costs.pavement;
 	}
@@ -76,25 +83,24 @@ std::string reason_of(Reach reach) {
 
 } // namespace
 
-BlockSource block_source_faces(const City &city, BlockId block, float border, bool has_carriageways) {
-	BlockSource source;
-	const CityBlock &cell = city.layout.block(block);
-	source.min = cell.cell_min;
-	source.max = cell.cell_max;
-	const glm::vec3 min = source.min - glm::vec3(border), max = source.max + glm::vec3(border);
-	for (const Ground &ground : city.layout.ground) {
-		if ((has_carriageways || ground.kind != GroundKind::Street) && is_near(ground.polygon, min, max)) {
-			add_fan(source.triangles, ground.polygon);
+std::vector<glm::vec3> tile_faces(const City &city, const Tile &tile, float border, bool has_carriageways) {
+	std::vector<glm::vec3> triangles;
+	const std::vector<Ground> &all = city.layout.ground;
+	has_carriageways |= std::none_of(all.begin(), all.end(), [](const Ground &ground) { return ground.kind == GroundKind::Crossing; });
+	const glm::vec3 min = tile.min - glm::vec3(border), max = tile.max + glm::vec3(border);
+	for (const Ground &ground : all) {
+		if ((has_carriageways || !is_carriageway(ground.kind)) && is_near(ground.polygon, min, max)) {
+			add_fan(triangles, ground.polygon);
 		}
 	}
 	for (size_t i = 0; i < city.lots.size(); ++i) {
 		if (is_near(city.layout.lots[i].polygon, min, max)) {
 			for (const std::vector<glm::vec3> &piece : city.lots[i].free_ground) {
-				add_fan(source.triangles, piece);
+				add_fan(triangles, piece);
 			}
 		}
 	}
-	return source;
+	return triangles;
 }
 
 NavRegion city_nav_region(const City &city, const GroundCosts &costs) {

@@ -7,25 +7,20 @@
 #include "core/navigation/nav_mesh.h"
 #include "core/navigation/reachability.h"
 
-// From a city to ground for walking: for an engine that bakes it block by block, or as a mesh without any engine.
+// From a city to ground for walking: for an engine that bakes it tile by tile, or as a mesh without any engine.
 namespace pcg {
 
-// Ground around one block, ready to be baked. Nothing stands on these triangles, so a baker finds no islands inside of or on top of buildings;
-// what hangs over them above heads is not there at all.
-struct BlockSource {
-	std::vector<glm::vec3> triangles; // three corners each, counter-clockwise seen from above
-	glm::vec3 min{ 0.0f }, max{ 0.0f }; // what the baked region must cover: the block's cell. Cells meet without gaps
-};
-
-// All ground within `border` metres around the block's cell is included, so that the baker's own margin does not eat into the cell. Without
-// carriageways people keep to pavements and cross at crossings, which join all blocks.
-BlockSource block_source_faces(const City &city, BlockId block, float border, bool has_carriageways = true);
+// Ground of a tile of the layout, ready to be baked: three corners for each triangle, counter-clockwise seen from above. Nothing stands on them, so
+// a baker finds no islands inside of or on top of buildings; what hangs over them above heads is not there at all. All ground within `border`
+// metres around the tile is included, so that the baker's own margin does not eat into it. Without carriageways people keep to pavements and
+// cross at crossings, which join all blocks; a city without any crossings keeps its carriageways.
+std::vector<glm::vec3> tile_faces(const City &city, const Tile &tile, float border, bool has_carriageways = true);
 
 // What a metre costs on each kind of ground, for those who choose their way. The cheapest is 1.
 struct GroundCosts {
 	float pavement = 1.0f;
 	float crossing = 1.1f;
-	float street = 4.0f;
+	float street = 4.0f; // carriageways and junctions
 	float lot = 1.5f;
 };
 

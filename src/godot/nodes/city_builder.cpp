@@ -107,14 +107,19 @@ void CityBuilder::build_block(BlockId id) {
 	}
 }
 
-void CityBuilder::add_region(BlockId id, const Ref<NavigationMesh> &mesh) {
-	Node *block = _root->get_node_or_null(NodePath(block_name(id)));
-	if (block == nullptr || mesh.is_null() || mesh->get_polygon_count() == 0) {
+void CityBuilder::add_region(uint32_t tile, const Ref<NavigationMesh> &mesh) {
+	if (mesh.is_null() || mesh->get_polygon_count() == 0) {
 		return;
+	}
+	Node *parent = _root->get_node_or_null(NodePath("Navigation"));
+	if (parent == nullptr) {
+		parent = memnew(Node3D);
+		parent->add_to_group(group, true);
+		add(_root, parent, "Navigation");
 	}
 	NavigationRegion3D *region = memnew(NavigationRegion3D);
 	region->set_navigation_mesh(mesh);
-	add(block, region, "Navigation");
+	add(parent, region, "Tile" + String::num_int64(tile));
 }
 
 void CityBuilder::build_lot(Node3D *parent, LotId id) {

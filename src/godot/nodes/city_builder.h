@@ -15,17 +15,17 @@
 
 namespace pcg {
 
-// Puts a city into the scene: below `root` the streets and a node for each block, below it the lots with their geometry and a node for each
-// entrance, zone and object.
+// Puts a city into the scene: below `root` the streets, a node for each block with its lots, their geometry and a node for each entrance, zone
+// and object, and one with the regions for walking, tile by tile.
 class CityBuilder {
 public:
 	CityBuilder(godot::Node3D *root, const City &city);
 
 	void build_streets();
 	void build_block(BlockId block);
-	void add_region(BlockId block, const godot::Ref<godot::NavigationMesh> &mesh);
 	// Tells the entrances' nodes which of them nobody can walk to; by EntranceId.
 	void mark_unreachable(std::span<const Reach> verdicts);
+	void add_region(uint32_t tile, const godot::Ref<godot::NavigationMesh> &mesh);
 	// Removes whatever an earlier builder made.
 	static void clear(godot::Node3D *root);
 

@@ -42,8 +42,8 @@ public:
 	std::atomic<float> progress{ 0.0f };
 	bool has_succeeded = false; // of the last call; read after it has ended
 	Diagnostics diagnostics;
-	std::vector<NavRegion> regions; // by block; for join()
 	std::vector<Reach> reach; // by EntranceId; of join()
+	std::vector<NavRegion> regions; // by tile; for join()
 	std::shared_ptr<CityState> state;
 
 private:

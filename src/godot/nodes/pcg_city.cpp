@@ -22,7 +22,14 @@ PCGCity::PCGCity() = default;
 PCGCity::~PCGCity() = default;
 
 void PCGCity::set_layout(const Ref<PCGLayout> &p_layout) {
+	const godot::Callable on_change = callable_mp(static_cast<Node *>(this), &Node::update_configuration_warnings);
+	if (_layout.is_valid()) {
+		_layout->disconnect("changed", on_change);
+	}
 	_layout = p_layout;
+	if (_layout.is_valid()) {
+		_layout->connect("changed", on_change);
+	}
 	update_configuration_warnings();
 }
 
@@ -47,27 +54,6 @@ void PCGCity::_notification(int p_what) {
 	if (p_what == NOTIFICATION_EXIT_TREE && is_generating()) {
 		end(false);
 	}
-}
-
-PackedStringArray PCGCity::_get_configuration_warnings() const {
-	PackedStringArray warnings;
-	if (_layout.is_null()) {
-		warnings.push_back("This city has no layout. Give it a PCGLayout, which says where streets and lots lie.");
-	}
-	if (_lot_types.is_empty()) {
-		warnings.push_back("This city has no lot types. Add a PCGLotType for each kind of lot, with the rules (.cga) that build it.");
-	}
-	for (int64_t i = 0; i < _lot_types.size(); ++i) {
-		const Ref<PCGLotType> type = _lot_types[i];
-		if (type.is_null() || type->get_rules().is_null()) {
-			warnings.push_back("Lot type " + String::num_int64(i) + " has no rules. Give it a .cga file.");
-		} else if (type->get_rules()->get_dialect() != PCGRuleSet::DIALECT_CGA) {
-			warnings.push_back("The rules of lot type \"" + type->get_type() + "\" write agendas. Lots are built by a .cga file.");
-		} else if (type->get_rules()->has_errors()) {
-			warnings.push_back("The rules of lot type \"" + type->get_type() + "\" have errors; see their list of diagnostics.");
-		}
-	}
-	return warnings;
 }
 
 bool PCGCity::prepare_job(CityInput &input, Diagnostics &diagnostics) const {
@@ -186,9 +172,9 @@ void PCGCity::stop() {
 		_job->main->close();
 	}
 	wait_for_task();
-	while (_baker && _stage == Stage::Baking && _next_block < _baker->block_count()) {
+	while (_baker && _stage == Stage::Baking && _next_tile < _baker->tile_count()) {
 		// The engine's threads still write to what the baker owns; they are done within milliseconds.
-		_next_block += _baker->is_baking(BlockId(_next_block)) ? 0 : 1;
+		_next_tile += _baker->is_baking(_next_tile) ? 0 : 1;
 	}
 	_baker.reset();
 	_builder.reset();
@@ -278,23 +264,22 @@ void PCGCity::begin_baking() {
 	settings.cell_size = float(server->map_get_cell_size(map));
 	settings.cell_height = float(server->map_get_cell_height(map));
 	settings.agent_radius = float(_agent_radius);
-	_baker = std::make_unique<BlockBaker>(_job->state->city, settings);
-	_job->regions.resize(_baker->block_count());
-	for (size_t i = 0; i < _baker->block_count(); ++i) {
-		_baker->bake(BlockId(i), _is_async);
+	_baker = std::make_unique<TileBaker>(_job->state->city, settings);
+	_job->regions.resize(_baker->tile_count());
+	for (size_t i = 0; i < _baker->tile_count(); ++i) {
+		_baker->bake(uint32_t(i), _is_async);
 	}
-	_next_block = 0;
+	_next_tile = 0;
 }
 
 void PCGCity::collect_baked() {
-	while (_next_block < _baker->block_count() && !_baker->is_baking(BlockId(_next_block))) {
-		const BlockId block = BlockId(_next_block);
-		const Ref<NavigationMesh> mesh = _baker->finish(block);
-		_job->regions[_next_block++] = from_godot(mesh);
-		_builder->add_region(block, mesh);
+	while (_next_tile < _baker->tile_count() && !_baker->is_baking(_next_tile)) {
+		const Ref<NavigationMesh> mesh = _baker->finish(_next_tile);
+		_builder->add_region(_next_tile, mesh);
+		_job->regions[_next_tile++] = from_godot(mesh);
 	}
-	tell_progress(double(_next_block) / double(std::max<size_t>(1, _baker->block_count())));
-	if (_next_block == _baker->block_count()) {
+	tell_progress(double(_next_tile) / double(std::max<size_t>(1, _baker->tile_count())));
+	if (_next_tile == _baker->tile_count()) {
 		note_seconds("navigation");
 		_baker.reset();
 		start_task(Stage::Joining);

@@ -14,7 +14,7 @@
 #include "core/base/diagnostic.h"
 #include "godot/nodes/city_builder.h"
 #include "godot/nodes/city_job.h"
-#include "godot/ports/block_baker.h"
+#include "godot/ports/tile_baker.h"
 #include "godot/resources/pcg_layout.h"
 #include "godot/resources/pcg_lot_type.h"
 
@@ -106,8 +106,9 @@ private:
 	int64_t _task = -1; // of the engine's WorkerThreadPool
 	std::unique_ptr<CityJob> _job;
 	std::unique_ptr<CityBuilder> _builder;
-	std::unique_ptr<BlockBaker> _baker;
-	uint32_t _next_block = 0;
+	std::unique_ptr<TileBaker> _baker;
+	uint32_t _next_block = 0; // to build
+	uint32_t _next_tile = 0; // to wait for
 	std::chrono::steady_clock::time_point _stage_start;
 	godot::Dictionary _seconds; // by stage, of the last generation
 	Diagnostics _diagnostics;

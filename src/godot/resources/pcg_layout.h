@@ -1,8 +1,10 @@
 #pragma once
 
 #include <godot_cpp/classes/resource.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
 
 #include "core/city/layout.h"
+#include "godot/resources/pcg_district.h"
 
 namespace pcg {
 
@@ -11,6 +13,20 @@ class PCGLayout : public godot::Resource {
 	GDCLASS(PCGLayout, godot::Resource)
 
 public:
+	enum Kind { KIND_GRID = int(LayoutKind::Grid), KIND_RADIAL = int(LayoutKind::Radial), KIND_GROWN = int(LayoutKind::Grown) };
+
+	void set_kind(Kind p_kind);
+	Kind get_kind() const { return Kind(_parameters.kind); }
+	void set_rings(int p_count);
+	int get_rings() const { return int(_parameters.rings); }
+	void set_spokes(int p_count);
+	int get_spokes() const { return int(_parameters.spokes); }
+	void set_main_street_width(double p_metres);
+	double get_main_street_width() const { return _parameters.main_street_width; }
+	void set_jitter(double p_part);
+	double get_jitter() const { return _parameters.jitter; }
+	void set_removed(double p_part);
+	double get_removed() const { return _parameters.removed; }
 	void set_blocks_x(int p_count);
 	int get_blocks_x() const { return int(_parameters.blocks_x); }
 	void set_blocks_z(int p_count);
@@ -28,17 +44,25 @@ public:
 	void set_pavement_width(double p_metres);
 	double get_pavement_width() const { return _parameters.pavement_width; }
 
+	// Made by the layout itself; 0 where its parameters make no city.
 	int get_lot_count() const;
 	// Chooses blocks and lots for a roughly square city of about that many lots.
 	void fit_lots(int p_count);
 
-	const LayoutParameters &parameters() const { return _parameters; }
+	void set_districts(const godot::TypedArray<PCGDistrict> &p_districts);
+	godot::TypedArray<PCGDistrict> get_districts() const { return _districts; }
+
+	LayoutParameters parameters() const; // with districts; land use and seed are the city's
 
 protected:
 	static void _bind_methods();
+	void _validate_property(godot::PropertyInfo &p_property) const;
 
 private:
 	LayoutParameters _parameters;
+	godot::TypedArray<PCGDistrict> _districts;
 };
 
 } // namespace pcg
+
+VARIANT_ENUM_CAST(pcg::PCGLayout::Kind);

@@ -46,29 +46,27 @@ double triangle_area(const std::vector<glm::vec3> &triangles) {
 
 } // namespace
 
-TEST_CASE("the ground handed to a baker covers the block's cell and its border, and looks upwards") {
+TEST_CASE("the ground handed to a baker covers the tile, and looks upwards") {
 	const City city = empty_city(layout_for_lots(1));
-	const BlockSource source = block_source_faces(city, BlockId(0), 2.0f);
-	CHECK(source.min == city.layout.min);
-	CHECK(source.max == city.layout.max);
 	const glm::vec3 size = city.layout.max - city.layout.min;
-	CHECK(triangle_area(source.triangles) == doctest::Approx(double(size.x) * size.z));
+	CHECK(triangle_area(tile_faces(city, { city.layout.min, city.layout.max }, 2.0f)) == doctest::Approx(double(size.x) * size.z));
 }
 
 TEST_CASE("a baker is given no ground where a building stands") {
 	City city = empty_city(layout_for_lots(4));
-	const double before = triangle_area(block_source_faces(city, BlockId(0), 2.0f).triangles);
+	const double before = triangle_area(tile_faces(city, { city.layout.min, city.layout.max }, 2.0f));
 	build_over(city, LotId(2));
-	CHECK(before - triangle_area(block_source_faces(city, BlockId(0), 2.0f).triangles) == doctest::Approx(400.0));
+	CHECK(before - triangle_area(tile_faces(city, { city.layout.min, city.layout.max }, 2.0f)) == doctest::Approx(400.0));
 }
 
-TEST_CASE("a block of a large city is given its surroundings only") {
+TEST_CASE("a tile of a large city is given its surroundings only") {
 	const City city = empty_city(layout_for_lots(300));
-	const BlockSource source = block_source_faces(city, BlockId(7), 2.0f);
-	CHECK(source.triangles.size() < 3 * 2 * 80);
-	for (const glm::vec3 &corner : source.triangles) {
-		CHECK(corner.x > source.min.x - 120.0f);
-		CHECK(corner.x < source.max.x + 120.0f);
+	const Tile &tile = city.layout.tiles[7];
+	const std::vector<glm::vec3> triangles = tile_faces(city, tile, 2.0f);
+	CHECK(triangles.size() < 3 * 2 * 80);
+	for (const glm::vec3 &corner : triangles) {
+		CHECK(corner.x > tile.min.x - 120.0f);
+		CHECK(corner.x < tile.max.x + 120.0f);
 	}
 }
 

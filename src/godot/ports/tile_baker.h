@@ -21,19 +21,19 @@ struct BakeSettings {
 	float agent_height = 1.75f;
 };
 
-// Bakes the walkable ground of a city, a region for each block. A bake in one piece fails on a whole city (0 polygons at 960 m), and only
+// Bakes the walkable ground of a city, a region for each tile of its layout. A bake in one piece fails on a whole city (0 polygons at 960 m), and only
 // what changed has to be baked again. Regions meet exactly: each is baked with a border of its neighbours' ground that is cut off afterwards,
 // along lines on the grid of cells.
-class BlockBaker {
+class TileBaker {
 public:
-	BlockBaker(const City &city, BakeSettings settings);
+	TileBaker(const City &city, BakeSettings settings);
 
-	// Begins a block; `is_async`: on the engine's threads, finished once is_baking() is false.
-	void bake(BlockId block, bool is_async);
-	bool is_baking(BlockId block) const;
-	// Of a finished block. Lowered onto the ground: the engine's baker puts its polygons two cells too high.
-	godot::Ref<godot::NavigationMesh> finish(BlockId block);
-	size_t block_count() const { return _jobs.size(); }
+	// Begins a tile; `is_async`: on the engine's threads, finished once is_baking() is false.
+	void bake(uint32_t tile, bool is_async);
+	bool is_baking(uint32_t tile) const;
+	// Of a finished tile. Lowered onto the ground: the engine's baker puts its polygons two cells too high.
+	godot::Ref<godot::NavigationMesh> finish(uint32_t tile);
+	size_t tile_count() const { return _jobs.size(); }
 
 	static constexpr float border = 2.0f; // metres: more than an agent's radius
 

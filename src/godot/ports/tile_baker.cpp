@@ -1,4 +1,4 @@
-#include "godot/ports/block_baker.h"
+#include "godot/ports/tile_baker.h"
 
 #include <cmath>
 
@@ -12,26 +12,27 @@ using namespace godot;
 
 namespace pcg {
 
-BlockBaker::BlockBaker(const City &city, BakeSettings settings) : _city(city), _settings(settings) {
-	_jobs.resize(city.layout.blocks.size());
+TileBaker::TileBaker(const City &city, BakeSettings settings) : _city(city), _settings(settings) {
+	_jobs.resize(city.layout.tiles.size());
 }
 
-float BlockBaker::snap(float metres) const { return std::round(metres / _settings.cell_size) * _settings.cell_size; }
+float TileBaker::snap(float metres) const { return std::round(metres / _settings.cell_size) * _settings.cell_size; }
 
-AABB BlockBaker::snapped(glm::vec3 min, glm::vec3 max) const {
+AABB TileBaker::snapped(glm::vec3 min, glm::vec3 max) const {
 	const Vector3 low(snap(min.x) - border, -1.0f, snap(min.z) - border);
 	const Vector3 high(snap(max.x) + border, 3.0f, snap(max.z) + border);
 	return AABB(low, high - low);
 }
 
-void BlockBaker::bake(BlockId block, bool is_async) {
-	Job &job = _jobs[index_of(block)];
-	const BlockSource source = block_source_faces(_city, block, border, false);
+void TileBaker::bake(uint32_t tile, bool is_async) {
+	Job &job = _jobs[tile];
+	const Tile &place = _city.layout.tiles[tile];
+	const std::vector<glm::vec3> triangles = tile_faces(_city, place, border, false);
 	PackedVector3Array faces; // the baker wants the engine's winding: clockwise from above
-	for (size_t i = 0; i + 2 < source.triangles.size(); i += 3) {
-		faces.push_back(to_godot(source.triangles[i]));
-		faces.push_back(to_godot(source.triangles[i + 2]));
-		faces.push_back(to_godot(source.triangles[i + 1]));
+	for (size_t i = 0; i + 2 < triangles.size(); i += 3) {
+		faces.push_back(to_godot(triangles[i]));
+		faces.push_back(to_godot(triangles[i + 2]));
+		faces.push_back(to_godot(triangles[i + 1]));
 	}
 	job.source.instantiate();
 	job.source->add_faces(faces, Transform3D());
@@ -42,7 +43,7 @@ void BlockBaker::bake(BlockId block, bool is_async) {
 	job.mesh->set_agent_height(std::ceil(_settings.agent_height / _settings.cell_height) * _settings.cell_height);
 	job.mesh->set_agent_max_climb(_settings.cell_height);
 	job.mesh->set_border_size(border);
-	job.mesh->set_filter_baking_aabb(snapped(source.min, source.max));
+	job.mesh->set_filter_baking_aabb(snapped(place.min, place.max));
 	job.is_finished = faces.is_empty(); // the engine would complain
 	if (job.is_finished) {
 		return;
@@ -55,13 +56,13 @@ void BlockBaker::bake(BlockId block, bool is_async) {
 	}
 }
 
-bool BlockBaker::is_baking(BlockId block) const {
-	const Job &job = _jobs[index_of(block)];
+bool TileBaker::is_baking(uint32_t tile) const {
+	const Job &job = _jobs[tile];
 	return !job.is_finished && job.mesh.is_valid() && NavigationServer3D::get_singleton()->is_baking_navigation_mesh(job.mesh);
 }
 
-Ref<NavigationMesh> BlockBaker::finish(BlockId block) {
-	Job &job = _jobs[index_of(block)];
+Ref<NavigationMesh> TileBaker::finish(uint32_t tile) {
+	Job &job = _jobs[tile];
 	if (!job.is_finished) {
 		job.is_finished = true;
 		job.source.unref();
