@@ -163,7 +163,8 @@ private:
 	// simulation_walk.cpp: being somewhere and getting elsewhere
 	bool go_to_building(PersonId id, BuildingId building, Purpose purpose);
 	bool go_to_point(PersonId id, Target goal, glm::vec3 point, Purpose purpose);
-	std::vector<glm::vec3> find_way(PersonId id, std::span<const glm::vec3> goals);
+	bool has_just_come_in(PersonId id) const;
+	std::vector<glm::vec3> find_way(PersonId id, std::span<const glm::vec3> goals, std::span<const PersonId> companions = {});
 	void set_out(PersonId id, uint32_t walk, Target goal, Purpose purpose);
 	void find_doors(BuildingId building, std::vector<glm::vec3> &doors) const;
 	void stop_walk(PersonId id);
@@ -269,6 +270,8 @@ private:
 	std::vector<std::unique_ptr<Behavior>> _behaviors;
 	std::vector<uint32_t> _free_behaviors;
 	std::vector<SimulationObserver *> _observers;
+	SimTime _last_entry = never; // the last moment at which anybody went into a building, and who did so then
+	std::vector<PersonId> _last_to_enter;
 	std::vector<glm::vec3> _from_points, _to_points; // scratch, kept so that steps do not allocate
 	SimulationStatistics _statistics;
 	Diagnostics _diagnostics;

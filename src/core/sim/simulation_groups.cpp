@@ -186,7 +186,7 @@ void Simulation::wait_for_pending(Party &party) {
 }
 
 bool Simulation::walk_together(Party &party, Target goal, std::span<const glm::vec3> points, Purpose purpose) {
-	std::vector<glm::vec3> path = find_way(party.leader, points);
+	std::vector<glm::vec3> path = find_way(party.leader, points, party.collected);
 	if (path.empty()) {
 		emit(party.leader, SimEventKind::Unreachable, goal);
 		return false;

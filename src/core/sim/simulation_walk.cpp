@@ -45,10 +45,18 @@ void Simulation::find_doors(BuildingId building, std::vector<glm::vec3> &doors) 
 	}
 }
 
+bool Simulation::has_just_come_in(PersonId id) const {
+	return _last_entry == _now && std::find(_last_to_enter.begin(), _last_to_enter.end(), id) != _last_to_enter.end();
+}
+
 // The shortest way from where the person is, or from any door of the building that it is in, to any of `goals`; empty if none can be reached.
-std::vector<glm::vec3> Simulation::find_way(PersonId id, std::span<const glm::vec3> goals) {
+// Nobody gets from door to door in no time: if one of the `companions` came in only now, they leave by its door.
+std::vector<glm::vec3> Simulation::find_way(PersonId id, std::span<const glm::vec3> goals, std::span<const PersonId> companions) {
 	const PersonRecord &person = record(id);
-	if (person.state == PersonState::Inside) {
+	const auto late = std::find_if(companions.begin(), companions.end(), [this](PersonId other) { return has_just_come_in(other); });
+	if (person.state == PersonState::Inside && (has_just_come_in(id) || late != companions.end())) {
+		_from_points.assign(1, record(has_just_come_in(id) ? id : *late).position);
+	} else if (person.state == PersonState::Inside) {
 		find_doors(person.target().building(), _from_points);
 		if (_from_points.empty() && is_valid(person.target().building())) {
 			_from_points.push_back(person.position); // its building was removed around it
@@ -208,6 +216,11 @@ void Simulation::enter_building(PersonId id, BuildingId building, glm::vec3 door
 	person.place_kind = Target::Kind::Building;
 	person.place = index_of(building);
 	++_inside_counts[index_of(building)];
+	if (_last_entry != _now) {
+		_last_entry = _now;
+		_last_to_enter.clear();
+	}
+	_last_to_enter.push_back(id);
 	change_outside(-1);
 	if (has_bodies()) {
 		_host->free_agent(id);

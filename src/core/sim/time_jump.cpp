@@ -54,6 +54,7 @@ void Simulation::forget_everything() {
 	}
 	_queue.clear();
 	_replay_queue.clear();
+	_last_to_enter.clear();
 	_walks.clear();
 	_reservations.clear();
 	_parties.clear();

@@ -146,6 +146,25 @@ TEST_CASE("errands: goToBuilding(building) and stayInside(seconds) inside a rule
 					"08:16:00 0 set-out building 0", "08:17:00 0 entered-building building 0", "08:17:00 0 rule-ended" });
 }
 
+TEST_CASE("who leaves at the moment of coming in leaves by the same door") {
+	ParkTown t;
+	const BuildingId shop = t.town.building("shop", 60.0f);
+	Entrance back;
+	back.building = shop;
+	back.position = { 80.0f, 0.0f, 0.0f };
+	t.town.city.add_entrance(back);
+	const BuildingId office = t.town.building("workplace", 200.0f);
+	t.town.rules("Pass Pass --> goToBuilding(1) goToBuilding(2) wait(10m) goToBuilding(1) stayInside(1m) goToBuilding(home)");
+	const PersonId ana = t.add_person();
+	t.town.delayed(ana, at(8), at(9), "Pass");
+	t.run();
+	CHECK(index_of(office) == 2);
+	CHECK(t.recorder.has("08:01:00 0 entered-building building 1")); // by the front at 60 m
+	CHECK(t.recorder.has("08:03:20 0 entered-building building 2")); // 140 m on, not 120 m from the back
+	CHECK(t.recorder.has("08:15:20 0 entered-building building 1")); // by the back at 80 m
+	CHECK(t.recorder.has("08:17:20 0 entered-building building 0")); // a minute later, by the front: 60 m
+}
+
 TEST_CASE("a rule cut while walking leaves the person where it is, on its way to the next entry") {
 	ParkTown t;
 	t.town.rules("Go Go --> goToZone(\"park\") waitUntilNextTask()");
