@@ -13,6 +13,7 @@
 
 #include "core/cga/derivation.h"
 #include "core/cga/dialect.h"
+#include "core/cga/instances.h"
 #include "core/cga/neighborhood.h"
 #include "core/io/rule_loader.h"
 #include "core/ports/asset_provider.h"
@@ -193,6 +194,7 @@ void bench_memory(const std::string &name, const Program &program, double width)
 	for (const auto &uvs : copy.uvs) {
 		result += uvs.size() * sizeof(glm::vec2);
 	}
+	result += model.instances.size() * sizeof(cga::ModelInstance);
 	print(name + "_result_bytes", double(result) / double(faces), "bytes/face", 0.0);
 	print(name + "_transient_bytes", (double(most - before) - double(result)) / double(faces), "bytes/face", 0.0);
 }
@@ -210,6 +212,10 @@ void bench_tower() {
 	const auto [lots, faces] = rates(*program, 36.0, 36.0);
 	print("cga_tower_seconds", 1.0 / lots, "s", 0.3);
 	print("cga_tower_faces_per_second", faces, "faces/s", 165'000.0);
+	// The same with every inserted frame written out as faces.
+	cga::Deriver deriver(*program, options());
+	const double seconds = seconds_of([&] { (void)cga::written_out(deriver.derive(cga::InitialShape::rectangle(36.0, 36.0, 1))); });
+	print("cga_tower_written_out_seconds", seconds, "s", 0.3);
 	bench_memory("cga_tower", *program, 36.0);
 }
 

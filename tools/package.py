@@ -17,7 +17,7 @@ EPOCH = (1980, 1, 1, 0, 0, 0)  # the earliest time that a zip can hold
 # Copied into the addon with the places that they have here, so that links between them hold. `.uid` files stay behind: who copies a rule
 # file into a game would have two files of one identity.
 TRAVELLING = ("README.md", "LICENSE.md", "CHANGELOG.md", "docs/.gdignore", "docs/language-*.md", "docs/troubleshooting.md", "rules/**/*.cga",
-              "rules/**/*.pcg", "rules/**/*.csv", "rules/**/*.csv.import")
+              "rules/**/*.pcg", "rules/**/*.csv", "rules/**/*.csv.import", "rules/**/*.png")
 # What README.md says of this repository alone stands between these comments.
 OF_REPOSITORY = re.compile(rb"\n<!-- repository -->\n.*?<!-- /repository -->(?=\n)", re.DOTALL)
 

@@ -64,18 +64,19 @@ Asset read_model(const std::string &path) {
 
 std::optional<Asset> ImportedAssets::model(const std::string &path) const {
 	std::optional<Asset> result;
-	_main->run([&] {
-		if (is_imported(path)) {
-			result = read_model(path);
-		}
-	});
+	if (is_imported(path)) { // the main thread is waited for only where it is needed
+		_main->run([&] { result = read_model(path); });
+	}
 	return result;
 }
 
 std::optional<ImageInfo> ImportedAssets::picture(const std::string &path) const {
 	std::optional<ImageInfo> result;
+	if (!is_imported(path)) {
+		return result;
+	}
 	_main->run([&] {
-		const Ref<Texture2D> texture = is_imported(path) ? ResourceLoader::get_singleton()->load(to_godot(std::string_view(path))) : Ref<Resource>();
+		const Ref<Texture2D> texture = ResourceLoader::get_singleton()->load(to_godot(std::string_view(path)));
 		if (texture.is_valid()) {
 			const Ref<Image> image = texture->get_image();
 			const bool has_alpha = image.is_valid() && image->detect_alpha() != Image::ALPHA_NONE;

@@ -9,6 +9,7 @@
 #include "core/cga/derivation.h"
 #include "core/cga/dialect.h"
 #include "core/city/free_ground.h"
+#include "core/io/file_assets.h"
 #include "core/io/rule_loader.h"
 #include "core/semantics/city_query.h"
 
@@ -61,8 +62,11 @@ std::shared_ptr<const Program> load(const std::string &name) {
 }
 
 DerivationResult derive_at(const Program &program, InitialShape shape, int lod) {
+	static const FileAssets assets; // pictures
+	DeriveOptions options;
+	options.assets = &assets;
 	shape.attributes.emplace_back("lod", double(lod));
-	return derive(program, shape);
+	return derive(program, shape, options);
 }
 
 bool has_entrance(const DerivationResult &model, const std::string &type) {
