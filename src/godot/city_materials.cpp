@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <glm/geometric.hpp>
 
@@ -18,6 +19,7 @@
 
 #include "core/geometry/shown_material.h"
 #include "core/io/asset_reader.h"
+#include "core/io/picture.h"
 #include "godot/convert.h"
 #include "godot/ports/engine_tree.h"
 
@@ -41,8 +43,7 @@ float engine_metallic(const Material &material) {
 }
 
 bool is_clear(const Material &material) {
-	const TextureMap *color = material.map(TextureUse::Color), *opacity = material.map(TextureUse::Opacity);
-	return material.color.a < 1.0f || (color != nullptr && opacity != nullptr && color->file == opacity->file);
+	return material.color.a < 1.0f || material.map(TextureUse::Opacity) != nullptr;
 }
 
 // Equal for materials that differ by their colour only.
@@ -185,8 +186,13 @@ Ref<StandardMaterial3D> CityMaterials::make(const Material &material) {
 
 void CityMaterials::set_pictures(const Ref<StandardMaterial3D> &target, const Material &material) {
 	const TextureMap *color = material.map(TextureUse::Color), *dirt = material.map(TextureUse::Dirt);
-	const TextureMap *base = color != nullptr ? color : dirt;
-	set_picture(target, BaseMaterial3D::TEXTURE_ALBEDO, base);
+	const TextureMap *opacity = material.map(TextureUse::Opacity), *base = color != nullptr ? color : dirt;
+	if (opacity != nullptr && (base == nullptr || base->file != opacity->file)) {
+		target->set_texture(BaseMaterial3D::TEXTURE_ALBEDO, clear_picture(base, *opacity));
+		base = base != nullptr ? base : opacity;
+	} else {
+		set_picture(target, BaseMaterial3D::TEXTURE_ALBEDO, base);
+	}
 	if (base != nullptr) { // v runs down here
 		target->set_uv1_scale(Vector3(base->scale_u, base->scale_v, 1.0f));
 		target->set_uv1_offset(Vector3(base->shift_u, 1.0f - base->scale_v - base->shift_v, 0.0f));
@@ -263,6 +269,50 @@ Ref<Texture2D> CityMaterials::picture(const std::string &file) {
 		image->generate_mipmaps();
 		place->second = ImageTexture::create_from_image(image);
 	}
+	return place->second;
+}
+
+namespace {
+
+// Nothing if there is none or its format cannot be unpacked.
+std::optional<Picture> to_picture(const Ref<Image> &image) {
+	if (image.is_null() || image->is_empty() || (image->is_compressed() && image->decompress() != OK)) {
+		return std::nullopt;
+	}
+	const bool has_alpha = image->detect_alpha() != Image::ALPHA_NONE;
+	image->clear_mipmaps();
+	image->convert(Image::FORMAT_RGBA8);
+	const PackedByteArray bytes = image->get_data();
+	return Picture{ { uint32_t(image->get_width()), uint32_t(image->get_height()) }, { bytes.ptr(), bytes.ptr() + bytes.size() }, has_alpha };
+}
+
+Ref<Image> to_image(const Picture &picture) {
+	PackedByteArray bytes;
+	bytes.resize(int64_t(picture.pixels.size()));
+	std::copy(picture.pixels.begin(), picture.pixels.end(), bytes.ptrw());
+	return Image::create_from_data(int32_t(picture.size.x), int32_t(picture.size.y), false, Image::FORMAT_RGBA8, bytes);
+}
+
+} // namespace
+
+// The engine takes opacity from the colour's alpha channel: one picture of two.
+Ref<Texture2D> CityMaterials::clear_picture(const TextureMap *color, const TextureMap &opacity) {
+	const auto [place, is_new] = _pictures.try_emplace((color != nullptr ? color->file : std::string()) + "\n" + opacity.file);
+	if (!is_new) {
+		return place->second;
+	}
+	const auto pixels = [this](const std::string &file) {
+		const Ref<Texture2D> texture = picture(file);
+		return texture.is_valid() ? to_picture(texture->get_image()) : std::nullopt;
+	};
+	const std::optional<Picture> first = color != nullptr ? pixels(color->file) : std::nullopt, second = pixels(opacity.file);
+	if (!second) {
+		place->second = color != nullptr ? picture(color->file) : Ref<Texture2D>();
+		return place->second;
+	}
+	const Ref<Image> image = to_image(with_opacity(first ? &*first : nullptr, *second));
+	image->generate_mipmaps();
+	place->second = ImageTexture::create_from_image(image);
 	return place->second;
 }
 

@@ -36,9 +36,10 @@ private:
 	void set_pictures(const godot::Ref<godot::StandardMaterial3D> &target, const Material &material);
 	bool set_picture(const godot::Ref<godot::StandardMaterial3D> &target, godot::BaseMaterial3D::TextureParam slot, const TextureMap *map);
 	godot::Ref<godot::Texture2D> picture(const std::string &file);
+	godot::Ref<godot::Texture2D> clear_picture(const TextureMap *color, const TextureMap &opacity);
 
 	std::map<std::string, Entry> _entries; // by what the material shows beside its colour
-	std::map<std::string, godot::Ref<godot::Texture2D>> _pictures; // by file; null: it cannot be loaded
+	std::map<std::string, godot::Ref<godot::Texture2D>> _pictures; // by file, or by the two files of one; null: it cannot be loaded
 };
 
 } // namespace pcg

@@ -126,6 +126,23 @@ func test_a_picture_is_on_the_walls() -> void:
 	check_equal(found, city.get_statistics()["lots"], "every lot has it")
 
 
+func test_an_opacity_map_of_its_own_is_the_alpha_of_the_colour() -> void:
+	var mask := Image.create_empty(4, 4, false, Image.FORMAT_L8)
+	mask.fill_rect(Rect2i(2, 0, 2, 4), Color.WHITE)
+	mask.save_png(PROJECT.path_join("assets/mask.png"))
+	var wall := "setupProjection(0, scope.xy, 2, 1) texture(\"wall.png\") set(material.opacitymap, \"mask.png\") projectUV(0) W."
+	var city: PCGCity = _grown("@StartRule\nLot --> extrude(4) comp(f) { front: entrance(\"house\", 2) %s | all: %s }" % [wall, wall])
+	for node: Node in city.find_children("Geometry", "MeshInstance3D", true, false):
+		var texture: Texture2D = _albedo((node as MeshInstance3D).mesh)
+		if texture != null:
+			var image: Image = texture.get_image()
+			check_equal(image.get_size(), Vector2i(16, 8), "as large as the larger one")
+			check_equal(image.get_pixel(0, 0), Color(1, 0, 0, 0), "black is clear")
+			check_equal(image.get_pixel(15, 7), Color(1, 0, 0, 1), "white is not")
+			return
+	check(false, "some wall has a picture")
+
+
 func test_rules_ask_for_files_sizes_and_texts() -> void:
 	_write("assets/type.txt", "school")
 	_write("assets/kinds.csv", "a,b\nc,workplace\n")

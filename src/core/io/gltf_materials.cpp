@@ -15,6 +15,8 @@ namespace {
 
 constexpr double degree = 0.017453292519943295;
 constexpr const char *transform_extension = "KHR_texture_transform";
+constexpr const char *unreadable = "this picture cannot be read; surfaces that have it are plain in the file";
+constexpr size_t most_bytes = size_t(256) << 20; // of one picture
 
 // glTF's factors are linear.
 double to_linear(float srgb) {
@@ -78,6 +80,23 @@ bool is_moved(const TextureMap &map) {
 	return map.scale_u != 1.0f || map.scale_v != 1.0f || map.shift_u != 0.0f || map.shift_v != 0.0f || map.turn != 0.0f;
 }
 
+// In the file.
+int used_set(const TextureMap &map, uint32_t sets) {
+	const size_t own = size_t(map.use);
+	return (sets & (1u << own)) != 0 ? file_set(sets, own) : 0;
+}
+
+bool lie_alike(const TextureMap &a, const TextureMap &b, uint32_t sets) {
+	TextureMap other = b;
+	other.use = a.use;
+	other.file = a.file;
+	return a == other && used_set(a, sets) == used_set(b, sets);
+}
+
+std::string file_name(const std::string &path) {
+	return path.substr(path.find_last_of("/\\") + 1);
+}
+
 } // namespace
 
 uint32_t sets_of(const std::vector<glm::vec2> *uvs) {
@@ -110,7 +129,7 @@ tinygltf::Material GltfMaterials::to_gltf(const Material &material, uint32_t set
 	result.alphaMode = material.color.a < 1.0f ? "BLEND" : "OPAQUE";
 	set_factors(result, material);
 	if (sets != 0 && !material.maps.empty()) {
-		set_surface_textures(result, material, sets);
+		set_textures(result, material, sets);
 	}
 	return result;
 }
@@ -124,39 +143,68 @@ void GltfMaterials::set_factors(tinygltf::Material &target, const Material &mate
 	target.emissiveFactor = { to_linear(light.r), to_linear(light.g), to_linear(light.b) };
 }
 
-void GltfMaterials::set_surface_textures(tinygltf::Material &target, const Material &material, uint32_t sets) {
-	const TextureMap *color = material.map(TextureUse::Color), *dirt = material.map(TextureUse::Dirt), *opacity = material.map(TextureUse::Opacity);
-	const TextureMap *occlusion = material.map(TextureUse::Occlusion), *roughness = material.map(TextureUse::Roughness);
-	const TextureMap *metallic = material.map(TextureUse::Metallic);
-	set_texture(target.pbrMetallicRoughness.baseColorTexture, color != nullptr ? color : dirt, sets);
+void GltfMaterials::set_textures(tinygltf::Material &target, const Material &material, uint32_t sets) {
+	const TextureMap *occlusion = material.map(TextureUse::Occlusion);
+	const bool has_color = material.map(TextureUse::Color) != nullptr;
+	set_color(target, material, sets);
+	set_metal(target, material, sets);
 	set_texture(target.normalTexture, material.map(TextureUse::Normal), sets);
 	set_texture(target.emissiveTexture, material.map(TextureUse::Emissive), sets);
-	set_texture(target.occlusionTexture, occlusion != nullptr ? occlusion : color != nullptr ? dirt : nullptr, sets);
-	if (roughness != nullptr && (metallic == nullptr || metallic->file == roughness->file)) {
-		set_texture(target.pbrMetallicRoughness.metallicRoughnessTexture, roughness, sets);
-		if (metallic == nullptr) { // the same channel would count as metal
-			target.pbrMetallicRoughness.metallicFactor = 0.0;
-		}
+	set_texture(target.occlusionTexture, occlusion != nullptr ? occlusion : has_color ? material.map(TextureUse::Dirt) : nullptr, sets);
+}
+
+// Opacity is the alpha channel of the colour's picture: where a rule has it in a picture of its own, a new picture is made of both.
+void GltfMaterials::set_color(tinygltf::Material &target, const Material &material, uint32_t sets) {
+	const TextureMap *color = material.map(TextureUse::Color), *opacity = material.map(TextureUse::Opacity);
+	const TextureMap *base = color != nullptr ? color : material.map(TextureUse::Dirt);
+	tinygltf::TextureInfo &info = target.pbrMetallicRoughness.baseColorTexture;
+	if (opacity == nullptr || (base != nullptr && base->file == opacity->file)) {
+		set_texture(info, base, sets);
+		target.alphaMode = opacity != nullptr ? "BLEND" : target.alphaMode;
+	} else if (base != nullptr && !lie_alike(*base, *opacity, sets)) {
+		set_texture(info, base, sets);
+		tell(opacity->file, "glTF lays colour and opacity alike; this opacity map lies otherwise than the colour map and is left out");
+	} else {
+		const int texture = mixed_texture(base, opacity, "opacity",
+				[](const Picture *a, const Picture *b) { return b != nullptr ? with_opacity(a, *b) : *a; });
+		place_texture(info, texture, base != nullptr ? *base : *opacity, sets);
+		target.alphaMode = texture >= 0 ? "BLEND" : target.alphaMode;
 	}
-	if (opacity != nullptr && color != nullptr && opacity->file == color->file) {
-		target.alphaMode = "BLEND";
-	} else if (opacity != nullptr) {
-		tell(opacity->file, "glTF has no opacity maps of their own: put the opacity into the alpha channel of the colour map");
+}
+
+// One picture has roughness in green and metal in blue. A roughness map alone is taken as it is where its blue channel cannot show.
+void GltfMaterials::set_metal(tinygltf::Material &target, const Material &material, uint32_t sets) {
+	const TextureMap *roughness = material.map(TextureUse::Roughness), *metallic = material.map(TextureUse::Metallic);
+	tinygltf::TextureInfo &info = target.pbrMetallicRoughness.metallicRoughnessTexture;
+	const bool is_one_file = roughness != nullptr && metallic != nullptr && metallic->file == roughness->file;
+	if (is_one_file || (metallic == nullptr && material.metallic <= 0.0f)) {
+		set_texture(info, roughness, sets);
+		return;
+	}
+	if (roughness != nullptr && metallic != nullptr && !lie_alike(*roughness, *metallic, sets)) {
+		tell(metallic->file, "glTF lays roughness and metal alike; this metallic map lies otherwise than the roughness map and is left out");
+		metallic = nullptr;
+	}
+	const TextureMap *place = roughness != nullptr ? roughness : metallic;
+	if (place != nullptr) {
+		place_texture(info, mixed_texture(roughness, metallic, "surface", metallic_roughness), *place, sets);
 	}
 }
 
 template <typename Info> void GltfMaterials::set_texture(Info &info, const TextureMap *map, uint32_t sets) {
-	if (map == nullptr) {
+	if (map != nullptr) {
+		place_texture(info, texture_of(map->file), *map, sets);
+	}
+}
+
+template <typename Info> void GltfMaterials::place_texture(Info &info, int texture, const TextureMap &map, uint32_t sets) {
+	info.index = texture;
+	if (texture < 0) {
 		return;
 	}
-	info.index = texture_of(map->file);
-	if (info.index < 0) {
-		return;
-	}
-	const size_t own = size_t(map->use);
-	info.texCoord = (sets & (1u << own)) != 0 ? file_set(sets, own) : 0;
-	if (is_moved(*map)) {
-		info.extensions.emplace(transform_extension, transform_of(*map));
+	info.texCoord = used_set(map, sets);
+	if (is_moved(map)) {
+		info.extensions.emplace(transform_extension, transform_of(map));
 		if (_model.extensionsUsed.empty()) {
 			_model.extensionsUsed.push_back(transform_extension);
 		}
@@ -166,16 +214,44 @@ template <typename Info> void GltfMaterials::set_texture(Info &info, const Textu
 int GltfMaterials::texture_of(const std::string &file) {
 	const auto [place, is_new] = _textures.emplace(file, -1);
 	if (is_new) {
-		place->second = add_picture(file);
+		place->second = add_file(file);
 	}
 	return place->second;
 }
 
-int GltfMaterials::add_picture(const std::string &file) {
-	constexpr size_t limit = size_t(256) << 20;
-	Result<std::string> bytes = read_picture(_pictures, file, limit);
+// -1 if neither picture can be read; what is missing of two is nullptr for `mix`.
+template <typename Mix> int GltfMaterials::mixed_texture(const TextureMap *a, const TextureMap *b, const char *kind, Mix mix) {
+	const auto name_of = [](const TextureMap *map) { return map != nullptr ? map->file : std::string(); };
+	std::string key = kind;
+	append_text(key, name_of(a));
+	append_text(key, name_of(b));
+	const auto [place, is_new] = _textures.emplace(std::move(key), -1);
+	if (is_new) {
+		const std::optional<Picture> first = decoded(a), second = decoded(b);
+		if (first || second) {
+			const Picture picture = mix(first ? &*first : nullptr, second ? &*second : nullptr);
+			place->second = add_picture(file_name(a != nullptr ? a->file : b->file) + " with " + kind, "image/png", encode_png(picture));
+		}
+	}
+	return place->second;
+}
+
+std::optional<Picture> GltfMaterials::decoded(const TextureMap *map) {
+	if (map == nullptr) {
+		return std::nullopt;
+	}
+	const Result<std::string> bytes = read_picture(_pictures, map->file, most_bytes);
+	std::optional<Picture> picture = bytes ? decode_picture(*bytes) : std::nullopt;
+	if (!picture) {
+		tell(map->file, unreadable);
+	}
+	return picture;
+}
+
+int GltfMaterials::add_file(const std::string &file) {
+	Result<std::string> bytes = read_picture(_pictures, file, most_bytes);
 	if (!bytes) {
-		tell(file, "this picture cannot be read; surfaces that have it are plain in the file");
+		tell(file, unreadable);
 		return -1;
 	}
 	const char *type = mime_type(*bytes);
@@ -183,18 +259,22 @@ int GltfMaterials::add_picture(const std::string &file) {
 		tell(file, "only PNG and JPEG pictures go into glTF files; surfaces that have this one are plain in the file");
 		return -1;
 	}
+	return add_picture(file_name(file), type, std::move(*bytes));
+}
+
+int GltfMaterials::add_picture(const std::string &name, const char *type, std::string bytes) {
 	if (_model.samplers.empty()) {
 		_model.samplers.emplace_back(); // repeats, as CGA's textures do
 	}
 	tinygltf::Image image;
-	image.name = valid_utf8(file.substr(file.find_last_of("/\\") + 1));
+	image.name = valid_utf8(name);
 	image.mimeType = type;
 	tinygltf::Texture texture;
 	texture.source = int(_model.images.size());
 	texture.sampler = 0;
 	_model.images.push_back(std::move(image));
 	_model.textures.push_back(std::move(texture));
-	_bytes.push_back(std::move(*bytes));
+	_bytes.push_back(std::move(bytes));
 	return int(_model.textures.size()) - 1;
 }
 

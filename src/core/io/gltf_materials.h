@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "core/geometry/material.h"
 #include "core/io/file_tree.h"
 #include "core/io/gltf_library.h"
+#include "core/io/picture.h"
 
 namespace pcg {
 
@@ -29,10 +31,16 @@ public:
 private:
 	tinygltf::Material to_gltf(const Material &material, uint32_t sets);
 	template <typename Info> void set_texture(Info &info, const TextureMap *map, uint32_t sets);
+	template <typename Info> void place_texture(Info &info, int texture, const TextureMap &map, uint32_t sets);
 	void set_factors(tinygltf::Material &target, const Material &material) const;
-	void set_surface_textures(tinygltf::Material &target, const Material &material, uint32_t sets);
+	void set_textures(tinygltf::Material &target, const Material &material, uint32_t sets);
+	void set_color(tinygltf::Material &target, const Material &material, uint32_t sets);
+	void set_metal(tinygltf::Material &target, const Material &material, uint32_t sets);
 	int texture_of(const std::string &file);
-	int add_picture(const std::string &file);
+	template <typename Mix> int mixed_texture(const TextureMap *a, const TextureMap *b, const char *kind, Mix mix);
+	int add_file(const std::string &file);
+	std::optional<Picture> decoded(const TextureMap *map);
+	int add_picture(const std::string &name, const char *type, std::string bytes);
 	void tell(const std::string &file, const std::string &message);
 
 	tinygltf::Model &_model;
@@ -40,7 +48,7 @@ private:
 	const FileTree &_pictures;
 	Diagnostics &_diagnostics;
 	std::map<std::string, int> _materials; // by all they say
-	std::map<std::string, int> _textures; // by file; -1: there is none
+	std::map<std::string, int> _textures; // by file or, of two in one, by both and what they are for; -1: there is none
 	std::set<std::string> _told; // files of which something was said
 	std::vector<std::string> _bytes; // of the model's images
 };

@@ -1,19 +1,35 @@
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <map>
+#include <optional>
 
 #include "core/geometry/shown_material.h"
 #include "core/io/file_tree.h"
 #include "core/io/gltf.h"
 #include "core/io/gltf_library.h"
 #include "core/io/gltf_materials.h"
+#include "core/io/picture.h"
 
 using namespace pcg;
 
 namespace {
+
+using Pixel = std::array<int, 4>;
+
+std::string png_of(Pixel pixel) {
+	return encode_png({ { 1, 1 }, { uint8_t(pixel[0]), uint8_t(pixel[1]), uint8_t(pixel[2]), uint8_t(pixel[3]) }, true });
+}
+// One grey pixel, a quarter of white, without an alpha channel.
+std::string grey_png() {
+	constexpr unsigned char bytes[] = { 0x89, 0x50, 0x4E, 0x47, 0x0D, 0x0A, 0x1A, 0x0A, 0x00, 0x00, 0x00, 0x0D, 0x49, 0x48, 0x44, 0x52, 0x00, 0x00, 0x00, 0x01,
+		0x00, 0x00, 0x00, 0x01, 0x08, 0x00, 0x00, 0x00, 0x00, 0x3A, 0x7E, 0x9B, 0x55, 0x00, 0x00, 0x00, 0x0A, 0x49, 0x44, 0x41, 0x54, 0x78, 0x9C, 0x63, 0x70,
+		0x00, 0x00, 0x00, 0x42, 0x00, 0x41, 0x29, 0x37, 0xF4, 0xEF, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4E, 0x44, 0xAE, 0x42, 0x60, 0x82 };
+	return std::string(reinterpret_cast<const char *>(bytes), sizeof(bytes));
+}
 
 const std::string png("\x89PNG\r\n\x1a\n first", 15), jpeg("\xFF\xD8\xFF\xE0 second", 11);
 
@@ -28,7 +44,8 @@ public:
 		return found != files.end() ? Result<std::string>(found->second) : Result<std::string>(Diagnostic{});
 	}
 
-	std::map<std::string, std::string> files = { { "brick.png", png }, { "dirt.jpg", jpeg }, { "old.tif", "II*" } };
+	std::map<std::string, std::string> files = { { "brick.png", png }, { "dirt.jpg", jpeg }, { "old.tif", "II*" }, { "grey.png", grey_png() },
+		{ "red.png", png_of({ 255, 0, 0, 255 }) } };
 	mutable int reads = 0;
 };
 
@@ -76,6 +93,13 @@ std::string picture_of(const tinygltf::Model &model, int texture) {
 	const tinygltf::BufferView &view = model.bufferViews.at(size_t(model.images.at(size_t(model.textures.at(size_t(texture)).source)).bufferView));
 	const unsigned char *bytes = model.buffers[0].data.data() + view.byteOffset;
 	return std::string(bytes, bytes + view.byteLength);
+}
+
+Pixel first_pixel(const tinygltf::Model &model, int texture) {
+	const std::optional<Picture> picture = decode_picture(picture_of(model, texture));
+	REQUIRE(picture.has_value());
+	const uint8_t *pixel = picture->pixel({ 0, 0 });
+	return { pixel[0], pixel[1], pixel[2], pixel[3] };
 }
 
 std::vector<float> numbers(const tinygltf::Model &model, const std::string &attribute) {
@@ -151,23 +175,47 @@ TEST_CASE("a map that is scaled, turned and shifted stays where CGA lays it") {
 	CHECK(-std::sin(turn) * u + std::cos(turn) * v + number("offset", 1) == doctest::Approx(-1.5));
 }
 
-TEST_CASE("opacity: of the colour, of the colour map's alpha, and a word where it lies in a picture of its own") {
+TEST_CASE("opacity: of the colour, of the colour map's alpha, or of a picture of its own") {
 	CHECK(written(with({ { TextureUse::Color, "brick.png" } })).material().alphaMode == "OPAQUE");
 	CHECK(written(with({ { TextureUse::Color, "brick.png" }, { TextureUse::Opacity, "brick.png" } })).material().alphaMode == "BLEND");
-	const Written apart = written(with({ { TextureUse::Color, "brick.png" }, { TextureUse::Opacity, "dirt.jpg" } }));
-	CHECK(apart.material().alphaMode == "OPAQUE");
-	CHECK(apart.diagnostics.warning_count() == 1);
+	const Written apart = written(with({ { TextureUse::Color, "red.png" }, { TextureUse::Opacity, "grey.png" } }));
+	CHECK(apart.diagnostics.is_empty());
+	CHECK(apart.material().alphaMode == "BLEND");
+	CHECK(apart.model.images.size() == 1);
+	CHECK(first_pixel(apart.model, apart.material().pbrMetallicRoughness.baseColorTexture.index) == Pixel{ 255, 0, 0, 64 });
+	const Written alone = written(with({ { TextureUse::Opacity, "grey.png" } }));
+	CHECK(first_pixel(alone.model, alone.material().pbrMetallicRoughness.baseColorTexture.index) == Pixel{ 255, 255, 255, 64 });
 }
 
-TEST_CASE("roughness maps, metal and light of their own") {
-	Material material = with({ { TextureUse::Emissive, "dirt.jpg" }, { TextureUse::Roughness, "brick.png" } });
+TEST_CASE("an opacity map that lies otherwise than the colour map, or cannot be read, is left out with a word") {
+	TextureMap mask = { TextureUse::Opacity, "grey.png" };
+	mask.scale_u = 2.0f;
+	const Written other = written(with({ { TextureUse::Color, "red.png" }, mask }));
+	CHECK(other.diagnostics.warning_count() == 1);
+	CHECK(other.material().alphaMode == "OPAQUE");
+	const Written broken = written(with({ { TextureUse::Color, "red.png" }, { TextureUse::Opacity, "dirt.jpg" } }));
+	CHECK(broken.diagnostics.warning_count() == 1);
+	CHECK(first_pixel(broken.model, broken.material().pbrMetallicRoughness.baseColorTexture.index) == Pixel{ 255, 0, 0, 255 });
+}
+
+TEST_CASE("roughness in green and metal in blue, from one picture, from two, or from one of them") {
+	Material material = with({ { TextureUse::Emissive, "dirt.jpg" }, { TextureUse::Roughness, "grey.png" } });
+	const auto surface = [](const Written &out) { return out.material().pbrMetallicRoughness.metallicRoughnessTexture.index; };
+	const Written plain = written(material); // no metal: the picture as it is
+	CHECK(picture_of(plain.model, surface(plain)) == grey_png());
+	CHECK(plain.material().emissiveFactor == std::vector<double>{ 1, 1, 1 });
 	material.metallic = 1.0f;
-	const Written out = written(material);
-	CHECK(out.material().pbrMetallicRoughness.metallicRoughnessTexture.index >= 0);
-	CHECK(out.material().pbrMetallicRoughness.metallicFactor == 0.0);
-	CHECK(out.material().emissiveFactor == std::vector<double>{ 1, 1, 1 });
-	material.maps.push_back({ TextureUse::Metallic, "brick.png" });
-	CHECK(written(material).material().pbrMetallicRoughness.metallicFactor == 1.0);
+	const Written metal = written(material);
+	CHECK(first_pixel(metal.model, surface(metal)) == Pixel{ 255, 64, 255, 255 });
+	CHECK(metal.material().pbrMetallicRoughness.metallicFactor == 1.0);
+	material.maps.push_back({ TextureUse::Metallic, "grey.png" });
+	CHECK(written(material).model.images.size() == 2);
+	material.maps.back().file = "red.png";
+	const Written two = written(material);
+	CHECK(first_pixel(two.model, surface(two)) == Pixel{ 255, 64, 0, 255 });
+	material.maps.erase(material.maps.begin() + 1);
+	const Written lone = written(material);
+	CHECK(first_pixel(lone.model, surface(lone)) == Pixel{ 255, 255, 0, 255 });
 }
 
 TEST_CASE("a specular colour stands for a smoother surface, as its exponent says") {
