@@ -14,10 +14,9 @@ from deps import ROOT, read_deps
 ADDON = ROOT / "addons/pcg"
 EPOCH = (1980, 1, 1, 0, 0, 0)  # the earliest time that a zip can hold
 
-# Copied into the addon with the places that they have here, so that links between them hold. `.uid` files stay behind: who copies a rule
-# file into a game would have two files of one identity.
-TRAVELLING = ("README.md", "LICENSE.md", "CHANGELOG.md", "docs/.gdignore", "docs/language-*.md", "docs/troubleshooting.md", "rules/**/*.cga",
-              "rules/**/*.pcg", "rules/**/*.csv", "rules/**/*.csv.import", "rules/**/*.png")
+# Copied into the addon with the places that they have here, so that links between them hold. Identities stay behind (`.uid` files, and the line
+# in `.import` files): who copies a rule file or a picture into a game would have two files of one identity.
+TRAVELLING = ("README.md", "LICENSE.md", "CHANGELOG.md", "docs/.gdignore", "docs/language-*.md", "docs/troubleshooting.md", "rules/**/*")
 # What README.md says of this repository alone stands between these comments.
 OF_REPOSITORY = re.compile(rb"\n<!-- repository -->\n.*?<!-- /repository -->(?=\n)", re.DOTALL)
 
@@ -26,7 +25,8 @@ def entries():
     """Yields (name in the archive, content) in order."""
     files = {path.relative_to(ADDON): path for path in ADDON.rglob("*") if path.is_file()}
     for pattern in TRAVELLING:
-        files |= {path.relative_to(ROOT): path for path in ROOT.glob(pattern)}
+        found = (path for path in ROOT.glob(pattern) if path.is_file())
+        files |= {path.relative_to(ROOT): path for path in found if path.suffix != ".uid"}
     for name, path in sorted(files.items()):
         yield f"addons/pcg/{name.as_posix()}", content_of(path)
 
@@ -35,6 +35,8 @@ def content_of(path):
     content = path.read_bytes()
     if path.suffix == ".md":
         return OF_REPOSITORY.sub(b"", content)
+    if path.suffix == ".import" and ADDON not in path.parents:
+        return re.sub(rb"^uid=.*\n", b"", content, flags=re.MULTILINE)
     if content.startswith(b"\x7fELF"):  # what a debugger wants is two thirds of it
         with tempfile.NamedTemporaryFile() as stripped:
             subprocess.run(["strip", "--strip-debug", "-o", stripped.name, path], check=True)

@@ -19,7 +19,8 @@ FILES = ("README.md", "LICENSE.md", "CHANGELOG.md", "CONTRIBUTING.md", "project.
          "rules/cga/assets/grass.png.import", "rules/agenda/weekday.pcg",
          "rules/data/table.csv", "rules/data/table.csv.import", "rules/paper/building.cga", "addons/pcg/plugin.cfg", "addons/pcg/bin/libpcg.x.so")
 PACKED = ("CHANGELOG.md", "LICENSE.md", "README.md", "bin/libpcg.x.so", "docs/.gdignore", "docs/language-cga.md", "plugin.cfg",
-          "rules/agenda/weekday.pcg", "rules/cga/assets/grass.png", "rules/cga/park.cga", "rules/data/table.csv", "rules/data/table.csv.import", "rules/paper/building.cga")
+          "rules/agenda/weekday.pcg", "rules/cga/assets/grass.png", "rules/cga/assets/grass.png.import", "rules/cga/park.cga", "rules/data/table.csv",
+          "rules/data/table.csv.import", "rules/paper/building.cga")
 
 
 class Package(unittest.TestCase):
@@ -47,6 +48,10 @@ class Package(unittest.TestCase):
         os.utime(self.root / "addons/pcg/plugin.cfg", (1, 1))
         package.write_package(self.root / "out/b.zip")
         self.assertEqual((self.root / "out/a.zip").read_bytes(), (self.root / "out/b.zip").read_bytes())
+
+    def test_pictures_keep_how_they_are_imported_but_not_who_they_are(self):
+        (self.root / "rules/cga/assets/grass.png.import").write_text('[remap]\nuid="uid://a"\n[params]\nmipmaps/generate=true\n')
+        self.assertEqual(dict(package.entries())["addons/pcg/rules/cga/assets/grass.png.import"], b"[remap]\n[params]\nmipmaps/generate=true\n")
 
     def test_what_is_said_of_the_repository_stays_there(self):
         (self.root / "README.md").write_text("a\n\n<!-- repository -->\nb\n\nc\n<!-- /repository -->\n\n- d\n<!-- repository -->\n- e\n"
