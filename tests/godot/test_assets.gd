@@ -2,24 +2,25 @@ extends "res://tests/godot/suite.gd"
 ## Models, pictures and texts that rules name, as files and as what an exported game has left of them.
 
 const CityForTests := preload("res://tests/godot/city_for_tests.gd")
-const PROJECT := "user://pcg_test_assets"
 const BOX := "mtllib box.mtl\nv 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 1 0\nv 1 1 0\nv 1 1 1\nv 0 1 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl brick\n" \
 		+ "f 1/1 2/2 3/3 4/4\nf 8/1 7/2 6/3 5/4\nf 4/1 3/2 7/3 8/4\nf 2/1 1/2 5/3 6/4\nf 3/1 2/2 6/3 7/4\nf 1/1 4/2 8/3 5/4\n"
 ## A door to the street in each lot, with %s on the ground before it.
 const LOT := "@StartRule\nLot --> split(z) { ~1: extrude(4) comp(f) { front: entrance(\"house\", 2) W. | all: W. } | 5: Yard }\nYard --> %s\n"
 const TEN := "split(x) { '0.1: s(0.5, 0.5, 0.5) i(\"%s\") }*"
 
+var _project: String = "user://pcg_test_assets_%d" % OS.get_process_id() ## others may run the same tests meanwhile
+
 
 func before_each() -> void:
 	for folder: String in ["rules", "assets"]:
-		DirAccess.make_dir_recursive_absolute(PROJECT.path_join(folder))
+		DirAccess.make_dir_recursive_absolute(_project.path_join(folder))
 	_write("assets/box.obj", BOX)
 	_write("assets/box.mtl", "newmtl brick\nKd 1 1 1\nmap_Kd wall.png\n")
-	_picture(Color.RED).save_png(PROJECT.path_join("assets/wall.png"))
+	_picture(Color.RED).save_png(_project.path_join("assets/wall.png"))
 
 
 func after_each() -> void:
-	_remove(PROJECT)
+	_remove(_project)
 
 
 func _remove(folder: String) -> void:
@@ -31,7 +32,7 @@ func _remove(folder: String) -> void:
 
 
 func _write(path: String, text: String) -> void:
-	FileAccess.open(PROJECT.path_join(path), FileAccess.WRITE).store_string(text)
+	FileAccess.open(_project.path_join(path), FileAccess.WRITE).store_string(text)
 
 
 func _picture(color: Color) -> Image:
@@ -44,7 +45,7 @@ func _city(text: String) -> PCGCity:
 	_write("rules/lot.cga", text)
 	var type := PCGLotType.new()
 	type.type = "house"
-	type.rules = PCGRuleSet.from_file(PROJECT.path_join("rules/lot.cga"))
+	type.rules = PCGRuleSet.from_file(_project.path_join("rules/lot.cga"))
 	var city := PCGCity.new()
 	city.layout = PCGLayout.new()
 	city.layout.fit_lots(4)
@@ -102,12 +103,18 @@ func test_a_binary_model_brings_its_own_picture() -> void:
 	var document := GLTFDocument.new()
 	var state := GLTFState.new()
 	check_equal(document.append_from_scene(root, state), OK, "a model is made")
-	check_equal(document.write_to_filesystem(state, PROJECT.path_join("assets/box.glb")), OK, "and written")
+	check_equal(document.write_to_filesystem(state, _project.path_join("assets/box.glb")), OK, "and written")
 	root.free()
 	var city: PCGCity = _grown(LOT % (TEN % "box.glb"))
 	_check_instances(city, city.get_statistics()["lots"])
 	var texture: Texture2D = _albedo(_instances(city)[0].mesh)
 	check(texture != null and texture.get_width() == 16, "its picture lies in the file itself")
+	check_equal(city.save_gltf(_project.path_join("city.glb")), OK, "the city is saved")
+	state = GLTFState.new()
+	check_equal(GLTFDocument.new().append_from_file(_project.path_join("city.glb"), state), OK, "and read")
+	var is_instance := func(node: GLTFNode) -> bool: return node.original_name == "instance"
+	check_equal(state.get_nodes().filter(is_instance).size(), city.get_statistics()["instances"], "every place is a node")
+	check_equal(state.get_images().size(), 1, "with the one picture")
 
 
 func test_a_picture_is_on_the_walls() -> void:
@@ -129,7 +136,7 @@ func test_a_picture_is_on_the_walls() -> void:
 func test_an_opacity_map_of_its_own_is_the_alpha_of_the_colour() -> void:
 	var mask := Image.create_empty(4, 4, false, Image.FORMAT_L8)
 	mask.fill_rect(Rect2i(2, 0, 2, 4), Color.WHITE)
-	mask.save_png(PROJECT.path_join("assets/mask.png"))
+	mask.save_png(_project.path_join("assets/mask.png"))
 	var wall := "setupProjection(0, scope.xy, 2, 1) texture(\"wall.png\") set(material.opacitymap, \"mask.png\") projectUV(0) W."
 	var city: PCGCity = _grown("@StartRule\nLot --> extrude(4) comp(f) { front: entrance(\"house\", 2) %s | all: %s }" % [wall, wall])
 	for node: Node in city.find_children("Geometry", "MeshInstance3D", true, false):
@@ -146,7 +153,7 @@ func test_an_opacity_map_of_its_own_is_the_alpha_of_the_colour() -> void:
 func test_rules_ask_for_files_sizes_and_texts() -> void:
 	_write("assets/type.txt", "school")
 	_write("assets/kinds.csv", "a,b\nc,workplace\n")
-	var front := "case fileExists(\"wall.png\") && !fileExists(\"roof.png\") && imageInfo(\"wall.png\", sx) == 16 && listSize(fileSearch(\"*.obj\")) == 1 : " \
+	var front := "case fileExists(\"wall.png\") && !fileExists(\"roof.png\") && imageInfo(\"wall.png\", sx) == 16 && listSize(fileSearch(\"assets/*.obj\")) == 1 : " \
 			+ "entrance(readTextFile(\"type.txt\"), 1) entrance(readStringTable(\"kinds.csv\")[1, 1], 1) W. else : NIL"
 	var city: PCGCity = _grown("@StartRule\nLot --> extrude(4) comp(f) { front: Front | all: W. }\nFront --> %s" % front)
 	var made: Dictionary = city.get_statistics()
@@ -156,7 +163,7 @@ func test_rules_ask_for_files_sizes_and_texts() -> void:
 func test_folders_of_assets_are_searched_too() -> void:
 	var city: PCGCity = CityForTests.make_city(4)
 	city.lot_types = [CityForTests.make_type("house", 1, LOT % (TEN % "box.obj"))]
-	city.asset_folders = [PROJECT.path_join("assets")]
+	city.asset_folders = [_project.path_join("assets")]
 	add_child(city)
 	check(city.generate_now(), "it generates")
 	check_equal(city.get_diagnostics().size(), 0, "without a word: %s" % [city.get_diagnostics()])
@@ -172,11 +179,11 @@ func test_a_model_that_is_missing_is_told_once() -> void:
 
 ## As the engine finds an imported file: by the note beside it, though the file itself is gone.
 func _import_only(name: String, resource: Resource, type: String) -> void:
-	var path: String = PROJECT.path_join("imported_%s.res" % name.validate_filename())
+	var path: String = _project.path_join("imported_%s.res" % name.validate_filename())
 	check_equal(ResourceSaver.save(resource, path), OK, "%s is saved" % path)
 	_write("assets/%s.import" % name, "[remap]\n\nimporter=\"none\"\ntype=\"%s\"\npath=\"%s\"\n" % [type, path])
-	if FileAccess.file_exists(PROJECT.path_join("assets/" + name)):
-		DirAccess.remove_absolute(PROJECT.path_join("assets/" + name))
+	if FileAccess.file_exists(_project.path_join("assets/" + name)):
+		DirAccess.remove_absolute(_project.path_join("assets/" + name))
 
 
 func _packed_box() -> PackedScene:
@@ -211,7 +218,7 @@ func test_an_imported_mesh_and_picture() -> void:
 	_import_only("box.obj", (root.get_child(0) as MeshInstance3D).mesh, "ArrayMesh")
 	root.free()
 	_import_only("wall.png", ImageTexture.create_from_image(Image.create_empty(32, 8, false, Image.FORMAT_RGBA8)), "ImageTexture")
-	var asked := "case imageInfo(\"wall.png\", sx) == 32 && listSize(fileSearch(\"*.obj\")) == 1 : texture(\"wall.png\") Ground. %s else : NIL"
+	var asked := "case imageInfo(\"wall.png\", sx) == 32 && listSize(fileSearch(\"assets/*.obj\")) == 1 : texture(\"wall.png\") Ground. %s else : NIL"
 	var city: PCGCity = _grown(LOT % (asked % (TEN % "box.obj")))
 	_check_instances(city, city.get_statistics()["lots"])
 	var clear := 0
