@@ -164,15 +164,29 @@ void CellGrid::spread(std::vector<uint32_t> &open) {
 	}
 }
 
+bool CellGrid::is_convex_outline() const {
+	const size_t count = _outline.size();
+	for (size_t i = 0; i < count; ++i) {
+		const glm::vec2 in = _outline[(i + 1) % count] - _outline[i], out = _outline[(i + 2) % count] - _outline[(i + 1) % count];
+		if (in.x * out.y - in.y * out.x < -touch * (std::hypot(in.x, in.y) + std::hypot(out.x, out.y))) {
+			return false;
+		}
+	}
+	return true;
+}
+
 std::vector<CellGrid::Box> CellGrid::boxes() const {
 	std::vector<Box> boxes;
 	std::vector<bool> is_taken(_cells.size(), false);
+	// A box may reach over the outline, which cuts it, so that slanted edges do not end in steps. A concave one could cut it to pieces.
+	const bool may_reach_out = is_convex_outline();
 	const auto is_open = [&](uint32_t column, uint32_t row) {
-		return at(column, row) == Cell::Free && !is_taken[size_t(row) * _columns + column];
+		const Cell cell = at(column, row);
+		return (cell == Cell::Free && !is_taken[size_t(row) * _columns + column]) || (may_reach_out && cell == Cell::Outside);
 	};
 	for (uint32_t row = 0; row < _rows; ++row) {
 		for (uint32_t column = 0; column < _columns; ++column) {
-			if (!is_open(column, row)) {
+			if (at(column, row) != Cell::Free || is_taken[size_t(row) * _columns + column]) {
 				continue;
 			}
 			Box box{ column, row, column + 1, row + 1 };

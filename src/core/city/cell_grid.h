@@ -35,6 +35,7 @@ private:
 	uint32_t clamp_column(float u) const;
 	uint32_t clamp_row(float v) const;
 	void find_inside();
+	bool is_convex_outline() const; // but for a millimetre
 	void block_row(uint32_t row, const std::vector<glm::vec2> &plan);
 	void spread(std::vector<uint32_t> &open);
 

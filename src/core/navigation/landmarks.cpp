@@ -10,9 +10,6 @@ namespace pcg {
 
 namespace {
 
-// Metres. Going from middle to middle of gaps is not quite what people walk: near the goal, where that shows, the straight line decides.
-constexpr float slack = 3.0f;
-
 glm::vec3 middle(const NavLink &link) { return (link.left + link.right) / 2.0f; }
 
 } // namespace
@@ -76,14 +73,6 @@ Landmarks::Costs Landmarks::of_point(const NavMesh &mesh, const NavPoint &point)
 		}
 	}
 	return costs;
-}
-
-float Landmarks::estimate(const Costs &a, const Costs &b) {
-	float best = 0.0f;
-	for (size_t k = 0; k < count; ++k) {
-		best = std::max(best, std::abs(a.to[k] - b.to[k])); // fmax is a call
-	}
-	return best - slack;
 }
 
 } // namespace pcg

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -22,8 +24,15 @@ public:
 
 	const Costs &of_link(uint32_t link) const { return _links[link]; }
 	Costs of_point(const NavMesh &mesh, const NavPoint &point) const;
-	// About the cost from one place to the other, seldom much more; negative for places close to each other.
-	static float estimate(const Costs &a, const Costs &b);
+	// About the cost from one place to the other, seldom much more.
+	static float estimate(const Costs &a, const Costs &b) {
+		static_assert(count == 8);
+		float far[4]; // side by side, as processors do it at once
+		for (size_t k = 0; k < 4; ++k) {
+			far[k] = std::max(std::abs(a.to[k] - b.to[k]), std::abs(a.to[k + 4] - b.to[k + 4]));
+		}
+		return std::max(std::max(far[0], far[1]), std::max(far[2], far[3]));
+	}
 
 private:
 	void measure(const NavMesh &mesh, uint32_t from_link, size_t landmark);

@@ -9,6 +9,12 @@ namespace pcg {
 
 namespace {
 
+// What lies ahead counts a little more than what lies behind: of ways that cost about the same the one that has come farthest is followed. A walk
+// costs at most so many times the least possible; in cities it hardly shows.
+constexpr float haste = 1.05f;
+// Metres. Estimates by landmarks go from middle to middle of gaps, which is not quite what people walk: near the goal the straight line decides.
+constexpr float slack = 3.0f;
+
 // Of the plan: positive if `c` lies left of the direction from `a` to `b`, seen from above.
 float side(glm::vec3 a, glm::vec3 b, glm::vec3 c) { return (c.x - a.x) * (b.z - a.z) - (c.z - a.z) * (b.x - a.x); }
 
@@ -51,11 +57,13 @@ bool PathFinder::find(const NavPoint &from, const NavPoint &to) {
 
 void PathFinder::start() {
 	_nodes.resize(_mesh->links().size());
+	_entries.resize(_mesh->polygon_count());
 	_open.clear();
 	_goal_link = no_link;
 	_goal_cost = INFINITY;
 	if (++_search == 0) { // the counter came round: forget what bears old numbers
 		std::fill(_nodes.begin(), _nodes.end(), Node());
+		std::fill(_entries.begin(), _entries.end(), Entry());
 		_search = 1;
 	}
 }
@@ -63,10 +71,8 @@ void PathFinder::start() {
 bool PathFinder::search(const NavPoint &from, const NavPoint &to) {
 	_goal_costs = _mesh->landmarks().of_point(*_mesh, to);
 	expand(from.polygon, no_link, from.position, 0.0f, to);
-	while (!_open.empty()) {
-		std::pop_heap(_open.begin(), _open.end());
-		const Open open = _open.back();
-		_open.pop_back();
+	while (!_open.is_empty()) {
+		const OpenList::Entry open = _open.pop();
 		if (open.link == no_link) {
 			return true;
 		}
@@ -81,13 +87,21 @@ bool PathFinder::search(const NavPoint &from, const NavPoint &to) {
 			if (cost < _goal_cost) {
 				_goal_cost = cost;
 				_goal_link = open.link;
-				push({ cost, cost, no_link });
+				_open.push({ cost, no_link });
 			}
 			continue;
 		}
-		expand(polygon, open.link, node.point, node.cost, to);
+		if (!is_dominated(polygon, node.point, node.cost)) {
+			expand(polygon, open.link, node.point, node.cost, to);
+		}
 	}
 	return false;
+}
+
+// Polygons are convex: who came in elsewhere can walk straight to `point`, and did better if that costs no more.
+bool PathFinder::is_dominated(uint32_t polygon, glm::vec3 point, float cost) const {
+	const Entry &entry = _entries[polygon];
+	return entry.search == _search && entry.cost + _mesh->cost(polygon) * glm::distance(entry.point, point) <= cost;
 }
 
 void PathFinder::expand(uint32_t polygon, uint32_t from_link, glm::vec3 point, float cost, const NavPoint &to) {
@@ -95,6 +109,9 @@ void PathFinder::expand(uint32_t polygon, uint32_t from_link, glm::vec3 point, f
 	const uint32_t came_from = from_link == no_link ? no_polygon : links[from_link].source;
 	const float ground = _mesh->cost(polygon), least = _mesh->least_cost();
 	const uint32_t end = _mesh->first_link(polygon + 1);
+	if (_entries[polygon].search != _search) {
+		_entries[polygon] = { _search, cost, point };
+	}
 	for (uint32_t i = _mesh->first_link(polygon); i < end; ++i) {
 		if (links[i].target == came_from) {
 			continue;
@@ -105,16 +122,14 @@ void PathFinder::expand(uint32_t polygon, uint32_t from_link, glm::vec3 point, f
 		if (node.search == _search && (node.is_closed || node.cost <= next_cost)) {
 			continue;
 		}
+		if (is_dominated(links[i].target, next, next_cost)) {
+			continue;
+		}
 		node = { next_cost, from_link, _search, false, next };
 		const float crow = least * glm::distance(next, to.position);
 		const float known = Landmarks::estimate(_mesh->landmarks().of_link(i), _goal_costs);
-		push({ next_cost + std::max(crow, known), next_cost, i });
+		_open.push({ next_cost + std::max(crow, haste * known - slack), i });
 	}
-}
-
-void PathFinder::push(const Open &open) {
-	_open.push_back(open);
-	std::push_heap(_open.begin(), _open.end());
 }
 
 void PathFinder::collect_corridor(uint32_t last_link) {
