@@ -1,7 +1,10 @@
 #include "core/city/free_ground.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
@@ -67,6 +70,25 @@ private:
 	std::vector<glm::vec2> _plan;
 };
 
+// Lowest and highest y of a box that holds the instance; most windows of a city are above all heads.
+std::pair<double, double> heights_of(const cga::ModelInstance &instance, const std::pair<glm::dvec3, glm::dvec3> &bounds) {
+	std::pair<double, double> heights(instance.origin.y, instance.origin.y);
+	for (int axis = 0; axis < 3; ++axis) {
+		const double a = instance.axes[axis].y * bounds.first[axis], b = instance.axes[axis].y * bounds.second[axis];
+		heights.first += std::min(a, b);
+		heights.second += std::max(a, b);
+	}
+	return heights;
+}
+
+std::pair<glm::dvec3, glm::dvec3> bounds_of(const Mesh &mesh) {
+	std::pair<glm::dvec3, glm::dvec3> bounds(glm::dvec3(INFINITY), glm::dvec3(-INFINITY));
+	for (const glm::vec3 &point : mesh.positions) {
+		bounds = { glm::min(bounds.first, glm::dvec3(point)), glm::max(bounds.second, glm::dvec3(point)) };
+	}
+	return bounds;
+}
+
 void block_instance(const cga::ModelInstance &instance, const Mesh &mesh, BandCutter &band, CellGrid &grid) {
 	std::vector<glm::vec3> outline;
 	for (const MeshFace &face : mesh.faces) {
@@ -75,6 +97,20 @@ void block_instance(const cga::ModelInstance &instance, const Mesh &mesh, BandCu
 			outline.push_back(cga::placed(instance, point));
 		}
 		grid.block(band.cut(outline));
+	}
+}
+
+void block_instances(const cga::DerivationResult &model, double low, double high, BandCutter &band, CellGrid &grid) {
+	constexpr double margin = 0.01; // rounding
+	std::vector<std::pair<glm::dvec3, glm::dvec3>> bounds;
+	for (const cga::ModelPrototype &prototype : model.prototypes) {
+		bounds.push_back(bounds_of(*prototype.mesh));
+	}
+	for (const cga::ModelInstance &instance : model.instances) {
+		const auto [bottom, top] = heights_of(instance, bounds[instance.prototype]);
+		if (instance.object < 0 && top > low - margin && bottom < high + margin) {
+			block_instance(instance, *model.prototypes[instance.prototype].mesh, band, grid);
+		}
 	}
 }
 
@@ -94,11 +130,8 @@ std::vector<std::vector<glm::vec3>> free_ground(const Lot &lot, const cga::Deriv
 	for (const MeshFace &face : model.mesh.faces) {
 		grid.block(band.cut(model.mesh.loop(face.first_loop)));
 	}
-	for (const cga::ModelInstance &instance : model.instances) {
-		if (instance.object < 0) {
-			block_instance(instance, *model.prototypes[instance.prototype].mesh, band, grid);
-		}
-	}
+	const double ground = double(lot.polygon[0].y);
+	block_instances(model, ground + double(options.step_height), ground + double(options.head_height), band, grid);
 	std::vector<bool> is_entry_edge;
 	for (float width : lot.street_widths) {
 		is_entry_edge.push_back(width > 0.0f);

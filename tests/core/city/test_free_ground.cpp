@@ -181,7 +181,10 @@ TEST_CASE("what is inserted stands in the way where it is placed, unless it belo
 	CHECK(covers(pieces, 3, 7));
 	model.instances[0].origin.y = 1.5; // over all heads
 	CHECK(total_area(free_ground(square_lot(), model)) == doctest::Approx(400.0));
-	model.instances[0].origin.y = 0.0;
-	model.instances[0].object = 0;
+	// Turned on its side its top stands upright, 1 m left of where it is put: it takes the one row of cells of 0.25 m that it runs through.
+	model.instances[0] = { 0, -1, glm::dmat3({ 0, 1, 0 }, { -1, 0, 0 }, { 0, 0, 1 }), { 10.1, 0.5, -5 } };
+	CHECK_FALSE(covers(free_ground(square_lot(), model), 9.1f, 5.5f));
+	CHECK(covers(free_ground(square_lot(), model), 9.5f, 5.5f));
+	model.instances[0] = { 0, 0, glm::dmat3(1.0), { 5, 0, -5 } };
 	CHECK(total_area(free_ground(square_lot(), model)) == doctest::Approx(400.0));
 }
