@@ -190,7 +190,7 @@ struct Observers {
 	Observers(const Request &request, const World &world, Simulation &simulation) {
 		if (!request.trace.empty()) {
 			trace_file = std::make_unique<AtomicFile>(request.trace);
-			trace = std::make_unique<TraceWriter>(*trace_file, SimTime{}, numbers_of(request, world));
+			trace = std::make_unique<TraceWriter>(*trace_file, simulation, SimTime{}, numbers_of(request, world));
 			simulation.add_observer(*trace);
 		}
 		if (!request.lived.empty() || request.wants_story) {
@@ -267,8 +267,9 @@ const Command simulate_command = { "simulate",
 	"             [--seed N] [--days N] [--jump H:M] [--threads N] [--trace TRACE.csv] [--json SUMMARY.json]\n"
 	"             [--lived PERSONS.csv] [--heat-map MAP.png] [--story]\n"
 	"  Writes everybody's agenda and lives it from Monday 0h on, on straight lines; --jump starts with a time jump. The trace has a row\n"
-	"  for every event, --lived one for every stretch of every life; --story tells one household's first day. The summary goes to\n"
-	"  standard output unless --json names a file. Exit status 1 also if a promise of the simulation was broken.",
+	"  for every event, and at the start and after a jump one for everybody; --lived has one for every stretch of every life; --story\n"
+	"  tells one household's first day. The summary goes to standard output unless --json names a file; late are those who went in more\n"
+	"  than a second after a stayInside was to begin. Exit status 1 also if a promise of the simulation was broken.",
 	"simulate days of a city's people", run };
 
 } // namespace pcg::cli

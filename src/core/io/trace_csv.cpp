@@ -106,29 +106,35 @@ std::string FileNumbers::text(Target place) const {
 	return "";
 }
 
-TraceWriter::TraceWriter(AtomicFile &file, SimTime start, FileNumbers numbers)
-	: _file(file), _start(start), _numbers(numbers) {
+TraceWriter::TraceWriter(AtomicFile &file, const Simulation &simulation, SimTime start, FileNumbers numbers)
+	: _file(file), _simulation(simulation), _start(start), _numbers(numbers) {
 	_file.write("seconds,person,event,place,x,z\n");
 }
 
-void TraceWriter::on_event(const SimEvent &event) {
+void TraceWriter::write(SimTime time, PersonId id, std::string_view what, Target goal, glm::vec3 position) {
 	char line[256];
-	const std::string person = _numbers.text(event.person);
-	const std::string place = _numbers.text(event.place);
-	const std::string_view kind = event_name(event.kind);
-	const int length = std::snprintf(line, sizeof line, "%.3f,%s,%.*s,%s,%.2f,%.2f\n", (event.time - _start).in_seconds(),
-			person.c_str(), int(kind.size()), kind.data(), place.c_str(), double(event.position.x), double(event.position.z));
+	const std::string person = _numbers.text(id);
+	const std::string place = _numbers.text(goal);
+	const int length = std::snprintf(line, sizeof line, "%.3f,%s,%.*s,%s,%.2f,%.2f\n", (time - _start).in_seconds(), person.c_str(),
+			int(what.size()), what.data(), place.c_str(), double(position.x), double(position.z));
 	_file.write({ line, size_t(length) });
 }
 
+void TraceWriter::on_event(const SimEvent &event) { write(event.time, event.person, event_name(event.kind), event.place, event.position); }
+
 void TraceWriter::on_jump(SimTime from, SimTime to) {
-	if (from == to) {
-		return;
+	if (from != to) {
+		char line[128];
+		const int length = std::snprintf(
+				line, sizeof line, "%.3f,,jumped,%.3f,,\n", (to - _start).in_seconds(), (from - _start).in_seconds());
+		_file.write({ line, size_t(length) });
 	}
-	char line[128];
-	const int length = std::snprintf(
-			line, sizeof line, "%.3f,,jumped,%.3f,,\n", (to - _start).in_seconds(), (from - _start).in_seconds());
-	_file.write({ line, size_t(length) });
+	for (uint32_t i = 0; i < _simulation.person_count(); ++i) {
+		const PersonView view = _simulation.view(PersonId(i));
+		if (view.presence != Presence::Removed) {
+			write(to, PersonId(i), state_name(view.state), view.place, view.position);
+		}
+	}
 }
 
 bool write_lived_csv(const std::string &path, const CityModel &city, const Population &population, const LivedLog &log,

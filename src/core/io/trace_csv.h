@@ -7,7 +7,7 @@
 #include "core/io/city_json.h"
 #include "core/population/population.h"
 #include "core/sim/lived_log.h"
-#include "core/sim/observer.h"
+#include "core/sim/simulation.h"
 
 // What happened in a simulation, as tables.
 namespace pcg {
@@ -24,16 +24,20 @@ struct FileNumbers {
 	std::string text(PersonId id) const;
 };
 
-// Writes every event as it comes: columns seconds (since `start`), person, event, place, x, z.
+// Writes every event as it comes: columns seconds (since `start`), person, event, place, x, z. At the start and after a time jump, which is a row
+// `jumped` whose place is the moment before, a row for everybody tells where it is: inside, walking (there), at-place or waiting.
 class TraceWriter : public SimulationObserver {
 public:
-	TraceWriter(AtomicFile &file, SimTime start, FileNumbers numbers = {});
+	TraceWriter(AtomicFile &file, const Simulation &simulation, SimTime start, FileNumbers numbers = {});
 
 	void on_event(const SimEvent &event) override;
 	void on_jump(SimTime from, SimTime to) override;
 
 private:
+	void write(SimTime time, PersonId person, std::string_view what, Target place, glm::vec3 position);
+
 	AtomicFile &_file;
+	const Simulation &_simulation;
 	SimTime _start;
 	FileNumbers _numbers;
 };

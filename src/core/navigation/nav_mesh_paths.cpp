@@ -151,21 +151,22 @@ BuildingId NavMeshPaths::search_nearest(TypeId type, BuildingId from) const {
 	return best;
 }
 
-std::vector<glm::vec3> NavMeshPaths::path(glm::vec3 from, glm::vec3 to) const {
+void NavMeshPaths::find_path(glm::vec3 from, glm::vec3 to, std::vector<glm::vec3> &path) const {
 	const bool is_swapped = is_before(to, from);
 	const Stop first = stop_at(is_swapped ? to : from), last = stop_at(is_swapped ? from : to);
+	path.clear();
 	Borrowed finder(*this);
 	if (!(*finder).find(first.point, last.point)) {
-		return {};
+		return;
 	}
 	const std::span<const glm::vec3> points = (*finder).points();
-	std::vector<glm::vec3> path(points.begin(), points.end());
 	// Steps of less than a millimetre to the mesh are rounding.
 	const auto is_off = [](glm::vec3 a, glm::vec3 b) { return glm::distance(a, b) > 1e-3f; };
-	if (is_off(first.position, path.front())) {
-		path.insert(path.begin(), first.position);
+	if (is_off(first.position, points.front())) {
+		path.push_back(first.position);
 	}
-	if (is_off(last.position, path.back())) {
+	path.insert(path.end(), points.begin(), points.end());
+	if (is_off(last.position, points.back())) {
 		path.push_back(last.position);
 	}
 	path.front() = first.position;
@@ -173,7 +174,6 @@ std::vector<glm::vec3> NavMeshPaths::path(glm::vec3 from, glm::vec3 to) const {
 	if (is_swapped) {
 		std::reverse(path.begin(), path.end());
 	}
-	return path;
 }
 
 double NavMeshPaths::measure_zone(PathFinder &finder, const Stop &from, const Zone &zone, double limit, glm::vec3 &entry) const {

@@ -38,7 +38,7 @@ BuildingId StraightLinePaths::nearest_building(TypeId type, BuildingId from) con
 	return nearest;
 }
 
-std::vector<glm::vec3> StraightLinePaths::path(glm::vec3 from, glm::vec3 to) const { return { from, to }; }
+void StraightLinePaths::find_path(glm::vec3 from, glm::vec3 to, std::vector<glm::vec3> &points) const { points.assign({ from, to }); }
 
 ZoneId StraightLinePaths::nearest_zone(TypeId type, glm::vec3 from, glm::vec3 &entry) const {
 	ZoneId nearest = ZoneId::Invalid;

@@ -18,8 +18,13 @@ public:
 	virtual double distance(BuildingId from, BuildingId to) const = 0;
 	// The building with an entrance of the type nearest by walking distance, ties to the lower id; Invalid if none can be reached.
 	virtual BuildingId nearest_building(TypeId type, BuildingId from) const = 0;
-	// The polyline walked, first point = from, last = to; empty if there is no way. Points on the ground.
-	virtual std::vector<glm::vec3> path(glm::vec3 from, glm::vec3 to) const = 0;
+	// The polyline walked, first point = from, last = to; empty if there is no way. Points on the ground. Replaces what `points` held.
+	virtual void find_path(glm::vec3 from, glm::vec3 to, std::vector<glm::vec3> &points) const = 0;
+	std::vector<glm::vec3> path(glm::vec3 from, glm::vec3 to) const {
+		std::vector<glm::vec3> points;
+		find_path(from, to, points);
+		return points;
+	}
 	// The zone of the type whose nearest point is closest to walk to, and that point; Invalid if none.
 	virtual ZoneId nearest_zone(TypeId type, glm::vec3 from, glm::vec3 &entry) const = 0;
 };

@@ -164,7 +164,8 @@ private:
 	bool go_to_building(PersonId id, BuildingId building, Purpose purpose);
 	bool go_to_point(PersonId id, Target goal, glm::vec3 point, Purpose purpose);
 	bool has_just_come_in(PersonId id) const;
-	std::vector<glm::vec3> find_way(PersonId id, std::span<const glm::vec3> goals, std::span<const PersonId> companions = {});
+	void find_starts(PersonId id, std::span<const PersonId> companions);
+	const std::vector<glm::vec3> &find_way(PersonId id, std::span<const glm::vec3> goals, std::span<const PersonId> companions = {});
 	void set_out(PersonId id, uint32_t walk, Target goal, Purpose purpose);
 	void find_doors(BuildingId building, std::vector<glm::vec3> &doors) const;
 	void stop_walk(PersonId id);
@@ -272,7 +273,14 @@ private:
 	std::vector<SimulationObserver *> _observers;
 	SimTime _last_entry = never; // the last moment at which anybody went into a building, and who did so then
 	std::vector<PersonId> _last_to_enter;
-	std::vector<glm::vec3> _from_points, _to_points; // scratch, kept so that steps do not allocate
+	// Scratch, kept so that steps do not allocate.
+	struct DoorPair {
+		float distance = 0.0f; // as the crow flies
+		uint32_t from = 0, to = 0;
+		friend auto operator<=>(const DoorPair &, const DoorPair &) = default;
+	};
+	std::vector<DoorPair> _door_pairs;
+	std::vector<glm::vec3> _from_points, _to_points, _way, _best_way;
 	SimulationStatistics _statistics;
 	Diagnostics _diagnostics;
 };

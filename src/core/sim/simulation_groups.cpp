@@ -115,13 +115,16 @@ bool Simulation::is_with_leader(PersonId leader_id, PersonId joiner_id) const {
 }
 
 void Simulation::collect_here(Party &party) {
-	for (PersonId joiner : std::vector<PersonId>(party.pending)) {
-		if (is_with_leader(party.leader, joiner)) {
-			record(joiner).due = never;
-			schedule(joiner);
-			std::erase(party.pending, joiner);
-			party.collected.push_back(joiner);
+	for (size_t i = 0; i < party.pending.size();) {
+		const PersonId joiner = party.pending[i];
+		if (!is_with_leader(party.leader, joiner)) {
+			++i;
+			continue;
 		}
+		record(joiner).due = never;
+		schedule(joiner);
+		party.pending.erase(party.pending.begin() + long(i));
+		party.collected.push_back(joiner);
 	}
 }
 
@@ -186,7 +189,7 @@ void Simulation::wait_for_pending(Party &party) {
 }
 
 bool Simulation::walk_together(Party &party, Target goal, std::span<const glm::vec3> points, Purpose purpose) {
-	std::vector<glm::vec3> path = find_way(party.leader, points, party.collected);
+	const std::vector<glm::vec3> &path = find_way(party.leader, points, party.collected);
 	if (path.empty()) {
 		emit(party.leader, SimEventKind::Unreachable, goal);
 		return false;
@@ -195,7 +198,7 @@ bool Simulation::walk_together(Party &party, Target goal, std::span<const glm::v
 	for (PersonId member : party.collected) {
 		speed = std::min(speed, _population.person(member).walking_speed);
 	}
-	const uint32_t walk = _walks.add(std::move(path), _now, speed, uint32_t(party.collected.size() + 1));
+	const uint32_t walk = _walks.add(path, _now, speed, uint32_t(party.collected.size() + 1));
 	set_out(party.leader, walk, goal, purpose);
 	schedule(party.leader);
 	for (PersonId member : party.collected) {
@@ -310,6 +313,7 @@ void Simulation::end_party(uint32_t index) {
 	for (PersonId member : party.collected) {
 		go_on_after_group(member);
 	}
+	_parties[index] = std::move(party); // for the memory of its lists
 	_free_parties.push_back(index);
 }
 

@@ -20,15 +20,16 @@ void pin_ends(std::vector<glm::vec3> &path, glm::vec3 from, glm::vec3 to) {
 	}
 }
 
-std::vector<glm::vec3> way_between(const PathProvider &paths, glm::vec3 from, glm::vec3 to) {
+// Empty if there is none.
+void way_between(const PathProvider &paths, glm::vec3 from, glm::vec3 to, std::vector<glm::vec3> &way) {
 	if (from == to) {
-		return { from, to };
+		way.assign(2, from);
+		return;
 	}
-	std::vector<glm::vec3> path = paths.path(from, to);
-	if (!path.empty()) {
-		pin_ends(path, from, to);
+	paths.find_path(from, to, way);
+	if (!way.empty()) {
+		pin_ends(way, from, to);
 	}
-	return path;
 }
 
 } // namespace
@@ -49,70 +50,74 @@ bool Simulation::has_just_come_in(PersonId id) const {
 	return _last_entry == _now && std::find(_last_to_enter.begin(), _last_to_enter.end(), id) != _last_to_enter.end();
 }
 
-// The shortest way from where the person is, or from any door of the building that it is in, to any of `goals`; empty if none can be reached.
-// Nobody gets from door to door in no time: if one of the `companions` came in only now, they leave by its door.
-std::vector<glm::vec3> Simulation::find_way(PersonId id, std::span<const glm::vec3> goals, std::span<const PersonId> companions) {
+// Where somebody is, or the doors of the building that it is in. Nobody gets from door to door in no time: if it or one of the `companions` came in
+// only now, they leave by that door.
+void Simulation::find_starts(PersonId id, std::span<const PersonId> companions) {
 	const PersonRecord &person = record(id);
-	const auto late = std::find_if(companions.begin(), companions.end(), [this](PersonId other) { return has_just_come_in(other); });
-	if (person.state == PersonState::Inside && (has_just_come_in(id) || late != companions.end())) {
-		_from_points.assign(1, record(has_just_come_in(id) ? id : *late).position);
-	} else if (person.state == PersonState::Inside) {
-		find_doors(person.target().building(), _from_points);
-		if (_from_points.empty() && is_valid(person.target().building())) {
-			_from_points.push_back(person.position); // its building was removed around it
-		}
-	} else {
+	if (person.state != PersonState::Inside) {
 		_from_points.assign(1, position(id));
+		return;
 	}
+	const auto late = std::find_if(companions.begin(), companions.end(), [this](PersonId other) { return has_just_come_in(other); });
+	if (has_just_come_in(id) || late != companions.end()) {
+		_from_points.assign(1, record(has_just_come_in(id) ? id : *late).position);
+		return;
+	}
+	find_doors(person.target().building(), _from_points);
+	if (_from_points.empty() && is_valid(person.target().building())) {
+		_from_points.push_back(person.position); // its building was removed around it
+	}
+}
+
+// The shortest way from there to any of `goals`; empty if none can be reached. Holds until the next call.
+const std::vector<glm::vec3> &Simulation::find_way(PersonId id, std::span<const glm::vec3> goals, std::span<const PersonId> companions) {
+	find_starts(id, companions);
+	_best_way.clear();
 	if (_from_points.size() == 1 && goals.size() == 1) {
-		return way_between(_paths, _from_points[0], goals[0]);
+		way_between(_paths, _from_points[0], goals[0], _best_way);
+		return _best_way;
 	}
-	struct Pair {
-		float distance = 0.0f; // as the crow flies
-		uint32_t from = 0, to = 0;
-	};
-	std::vector<Pair> pairs;
+	_door_pairs.clear();
 	for (uint32_t from = 0; from < _from_points.size(); ++from) {
 		for (uint32_t to = 0; to < goals.size(); ++to) {
-			pairs.push_back({ glm::distance(_from_points[from], goals[to]), from, to });
+			_door_pairs.push_back({ glm::distance(_from_points[from], goals[to]), from, to });
 		}
 	}
-	std::stable_sort(pairs.begin(), pairs.end(), [](const Pair &a, const Pair &b) { return a.distance < b.distance; });
-	std::vector<glm::vec3> best;
+	std::sort(_door_pairs.begin(), _door_pairs.end());
 	double best_length = std::numeric_limits<double>::max();
-	for (const Pair &pair : pairs) {
+	for (const DoorPair &pair : _door_pairs) {
 		if (double(pair.distance) >= best_length) {
 			break;
 		}
-		std::vector<glm::vec3> path = way_between(_paths, _from_points[pair.from], goals[pair.to]);
-		const double length = path.empty() ? best_length : path_length(path);
+		way_between(_paths, _from_points[pair.from], goals[pair.to], _way);
+		const double length = _way.empty() ? best_length : path_length(_way);
 		if (length < best_length) {
 			best_length = length;
-			best = std::move(path);
+			std::swap(_best_way, _way);
 		}
 	}
-	return best;
+	return _best_way;
 }
 
 bool Simulation::go_to_building(PersonId id, BuildingId building, Purpose purpose) {
 	find_doors(building, _to_points);
-	std::vector<glm::vec3> path = find_way(id, _to_points);
+	const std::vector<glm::vec3> &path = find_way(id, _to_points);
 	if (path.empty()) {
 		emit(id, SimEventKind::Unreachable, target_of(building));
 		return false;
 	}
-	const uint32_t walk = _walks.add(std::move(path), _now, _population.person(id).walking_speed, 1);
+	const uint32_t walk = _walks.add(path, _now, _population.person(id).walking_speed, 1);
 	set_out(id, walk, target_of(building), purpose);
 	return true;
 }
 
 bool Simulation::go_to_point(PersonId id, Target goal, glm::vec3 point, Purpose purpose) {
-	std::vector<glm::vec3> path = find_way(id, { &point, 1 });
+	const std::vector<glm::vec3> &path = find_way(id, { &point, 1 });
 	if (path.empty()) {
 		emit(id, SimEventKind::Unreachable, goal);
 		return false;
 	}
-	set_out(id, _walks.add(std::move(path), _now, _population.person(id).walking_speed, 1), goal, purpose);
+	set_out(id, _walks.add(path, _now, _population.person(id).walking_speed, 1), goal, purpose);
 	return true;
 }
 

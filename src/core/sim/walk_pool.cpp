@@ -37,7 +37,7 @@ double path_length(std::span<const glm::vec3> points) {
 	return sum;
 }
 
-uint32_t WalkPool::add(std::vector<glm::vec3> points, SimTime departure, float speed, uint32_t walkers) {
+uint32_t WalkPool::add(std::span<const glm::vec3> points, SimTime departure, float speed, uint32_t walkers) {
 	uint32_t index = uint32_t(_walks.size());
 	if (_free.empty()) {
 		_walks.emplace_back();
@@ -47,7 +47,7 @@ uint32_t WalkPool::add(std::vector<glm::vec3> points, SimTime departure, float s
 		_free.pop_back();
 	}
 	Walk &walk = _walks[index];
-	walk.points = std::move(points);
+	walk.points.assign(points.begin(), points.end());
 	walk.length = path_length(walk.points);
 	walk.departure = departure;
 	walk.arrival = departure + Duration::seconds(walk.length / double(speed));
@@ -59,7 +59,7 @@ uint32_t WalkPool::add(std::vector<glm::vec3> points, SimTime departure, float s
 void WalkPool::leave(uint32_t index) {
 	Walk &walk = _walks[index];
 	if (--walk.walkers == 0) {
-		walk.points = {};
+		walk.points.clear();
 		_free.push_back(index);
 	}
 }

@@ -27,12 +27,12 @@ struct Walk {
 glm::vec3 point_along(std::span<const glm::vec3> points, double metres, glm::vec3 *direction = nullptr);
 double path_length(std::span<const glm::vec3> points);
 
-// Walks exist only while somebody walks them; slots are used again.
+// Walks exist only while somebody walks them; slots and their memory are used again.
 class WalkPool {
 public:
 	static constexpr uint32_t none = 0xFFFFFFFF;
 
-	uint32_t add(std::vector<glm::vec3> points, SimTime departure, float speed, uint32_t walkers);
+	uint32_t add(std::span<const glm::vec3> points, SimTime departure, float speed, uint32_t walkers);
 	// One walker less; the last one frees the walk.
 	void leave(uint32_t walk);
 	void clear();

@@ -40,17 +40,36 @@ TEST_CASE("a trace has a row for every event, with the seconds since the start")
 	Diagnostics diagnostics;
 	{
 		AtomicFile file(path);
-		TraceWriter writer(file, moment(0, 9));
+		TraceWriter writer(file, simulation, moment(0, 9));
 		simulation.add_observer(writer);
 		simulation.start(moment(0, 9));
 		simulation.advance_to(moment(0, 10, 30));
 		CHECK(file.commit(diagnostics));
 	}
 	CHECK(text_of(path) == "seconds,person,event,place,x,z\n"
+						   "0.000,0,inside,building:0,0.00,0.00\n"
 						   "3600.000,0,task-started,building:1,0.00,0.00\n"
 						   "3600.000,0,left-building,building:0,0.00,0.00\n"
 						   "3600.000,0,set-out,building:1,0.00,0.00\n"
 						   "3660.000,0,entered-building,building:1,60.00,0.00\n");
+}
+
+TEST_CASE("a trace tells of a jump, and where it put everybody") {
+	const std::string path = "build/tests/jumped.csv";
+	ShopTown t;
+	Simulation &simulation = t.town.simulate();
+	Diagnostics diagnostics;
+	{
+		AtomicFile file(path);
+		TraceWriter writer(file, simulation, moment(0, 0));
+		simulation.start(moment(0, 9));
+		simulation.add_observer(writer);
+		simulation.jump_to(moment(0, 10, 0, 20));
+		CHECK(file.commit(diagnostics));
+	}
+	CHECK(text_of(path) == "seconds,person,event,place,x,z\n"
+						   "36020.000,,jumped,32400.000,,\n"
+						   "36020.000,0,walking,building:1,20.00,0.00\n");
 }
 
 TEST_CASE("lived rows carry the numbers of the user's files") {

@@ -182,11 +182,11 @@ namespace {
 class WalledPaths : public StraightLinePaths {
 public:
 	WalledPaths(const CityModel &city, glm::vec3 behind) : StraightLinePaths(city), _behind(behind) {}
-	std::vector<glm::vec3> path(glm::vec3 from, glm::vec3 to) const override {
+	void find_path(glm::vec3 from, glm::vec3 to, std::vector<glm::vec3> &points) const override {
+		points.assign({ from, to });
 		if (from == _behind || to == _behind) {
-			return { from, from + glm::vec3(0.0f, 0.0f, 100.0f), to + glm::vec3(0.0f, 0.0f, 100.0f), to };
+			points.assign({ from, from + glm::vec3(0.0f, 0.0f, 100.0f), to + glm::vec3(0.0f, 0.0f, 100.0f), to });
 		}
-		return { from, to };
 	}
 
 private:
