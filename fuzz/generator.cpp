@@ -1,6 +1,7 @@
 #include "core/agenda/agenda_generator.h"
 
 #include "core/navigation/straight_line_paths.h"
+#include "core/sim/dialect.h"
 #include "core/sim/simulation.h"
 #include "fuzz/fuzz.h"
 
