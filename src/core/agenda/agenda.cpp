@@ -118,34 +118,34 @@ void keep_remains(std::vector<Task> &kept, const Task &old, const Task &newest) 
 	}
 }
 
-bool is_same_every_day(const Task &task) { return task.days == all_days && task.end_ms <= day_ms; }
+bool is_plain(const Task &task) { return task.days == all_days && task.end_ms <= day_ms; }
 
 } // namespace
 
 Agenda::Agenda(std::span<const Task> tasks) : _tasks(tasks.begin(), tasks.end()) {
 	for (const Task &task : tasks) {
 		_generation = std::max(_generation, task.generation);
-		_is_same_every_day = _is_same_every_day && is_same_every_day(task);
+		_is_same_every_day = _is_same_every_day && is_plain(task);
 	}
 }
 
-bool Agenda::insert(Task task) {
-	task.days &= all_days;
+bool Agenda::insert(const Task &task) {
 	const int64_t length = int64_t(task.end_ms) - task.start_ms;
-	if (task.days == 0 || length <= 0 || length > one_day.ms) {
+	if ((task.days & all_days) == 0 || length <= 0 || length > one_day.ms) {
 		return false;
 	}
-	task = normalized(task);
 	if (_generation < UINT16_MAX) {
 		++_generation;
 	}
-	task.generation = _generation;
-	_is_same_every_day = _is_same_every_day && is_same_every_day(task);
-	if (_is_same_every_day) {
+	if (_is_same_every_day && task.start_ms >= 0 && is_plain(task)) {
 		insert_same_every_day(task);
-	} else {
-		insert_day_by_day(task);
+		return true;
 	}
+	_is_same_every_day = false;
+	Task newest = task;
+	newest.days &= all_days;
+	newest.generation = _generation;
+	insert_day_by_day(normalized(newest));
 	return true;
 }
 
@@ -159,26 +159,36 @@ void Agenda::insert_same_every_day(const Task &task) {
 	while (last < _tasks.size() && _tasks[last].start_ms < task.end_ms) {
 		++last;
 	}
-	std::array<Task, 3> pieces;
-	size_t count = 0;
-	if (first < last && _tasks[first].start_ms < task.start_ms) {
-		pieces[count] = _tasks[first];
-		pieces[count++].end_ms = task.start_ms;
+	const bool has_left = first < last && _tasks[first].start_ms < task.start_ms;
+	const bool has_right = first < last && _tasks[last - 1].end_ms > task.end_ms;
+	const Task right = has_right ? _tasks[last - 1] : task;
+	replace(first + has_left, last, 1 + has_right, task);
+	if (has_left) {
+		_tasks[first].end_ms = task.start_ms;
 	}
-	pieces[count++] = task;
-	if (first < last && _tasks[last - 1].end_ms > task.end_ms) {
-		pieces[count] = _tasks[last - 1];
-		pieces[count].is_start_cut = true;
-		pieces[count++].start_ms = task.end_ms;
+	Task *place = _tasks.data() + first + has_left;
+	*place = task;
+	place->generation = _generation;
+	if (has_right) {
+		*++place = right;
+		place->start_ms = task.end_ms;
+		place->is_start_cut = true;
 	}
-	const size_t replaced = last - first;
-	const auto place = _tasks.begin() + ptrdiff_t(first);
-	if (replaced > count) {
-		_tasks.erase(place + ptrdiff_t(count), place + ptrdiff_t(replaced));
-	} else if (count > replaced) {
-		_tasks.insert(place + ptrdiff_t(replaced), count - replaced, task);
+}
+
+// Makes room for `count` entries in place of those from `first` to `last`, which may be none; what stands there then is not said. `filler` is any
+// entry.
+void Agenda::replace(size_t first, size_t last, size_t count, const Task &filler) {
+	const size_t size = _tasks.size();
+	const size_t behind = first + count;
+	if (behind < last) {
+		_tasks.erase(_tasks.begin() + ptrdiff_t(behind), _tasks.begin() + ptrdiff_t(last));
+		return;
 	}
-	std::copy_n(pieces.begin(), count, _tasks.begin() + ptrdiff_t(first));
+	for (size_t i = last; i < behind; ++i) {
+		_tasks.push_back(filler);
+	}
+	std::move_backward(_tasks.begin() + ptrdiff_t(last), _tasks.begin() + ptrdiff_t(size), _tasks.end());
 }
 
 void Agenda::insert_day_by_day(const Task &task) {

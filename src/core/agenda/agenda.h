@@ -23,22 +23,25 @@ public:
 	// included where one of both runs past midnight. A start outside [0, 24 h) is moved with its days (PCG language, section 5); the week
 	// is a circle. False, and nothing changes: end <= start, no days, or longer than 24 h. Pieces of one entry that end up equal on
 	// different days are one entry.
-	bool insert(Task task);
+	bool insert(const Task &task);
 	// Takes the entry of this index out on these days.
 	void remove(size_t index, DayMask days);
 	void clear();
 	const std::vector<Task> &tasks() const { return _tasks; }
+	// All entries are of all days and end by midnight; may be false although it is so.
+	bool is_same_every_day() const { return _is_same_every_day; }
 	// The task that holds at this time of that week day, one that began the day before included; null in a hole.
 	const Task *at(int weekday, Duration time_of_day) const;
 
 private:
 	void insert_same_every_day(const Task &task);
+	void replace(size_t first, size_t last, size_t count, const Task &filler);
 	void insert_day_by_day(const Task &task);
 
 	std::vector<Task> _tasks;
 	std::vector<Task> _scratch; // kept between insertions, so that they do not allocate
 	uint16_t _generation = 0; // stays at its largest value once that is reached
-	bool _is_same_every_day = true; // all entries are of all days and end by midnight
+	bool _is_same_every_day = true;
 };
 
 // A task without a time, waiting for a floating slot (paper, "Floating tasks").

@@ -108,14 +108,20 @@ private:
 		}
 	}
 
+	// Groups of what is added count on from those that are there.
+	static void add_tasks(std::vector<Task> &all, const std::vector<Task> &tasks, uint32_t first_group) {
+		const size_t first = all.size();
+		all.insert(all.end(), tasks.begin(), tasks.end());
+		for (size_t i = first; first_group != 0 && i < all.size(); ++i) {
+			all[i].target += all[i].kind == TaskKind::Accompany ? first_group : 0;
+		}
+	}
+
 	static void keep(Batch &batch, agenda::GenerationContext &context) {
 		const uint32_t first_group = uint32_t(batch.groups.size());
 		for (size_t i = 0; i < context.member_count(); ++i) {
 			const PersonId member = context.member(i);
-			for (Task task : context.agenda_of(member).tasks()) {
-				task.target += task.kind == TaskKind::Accompany ? first_group : 0;
-				batch.tasks.push_back(task);
-			}
+			add_tasks(batch.tasks, context.agenda_of(member).tasks(), first_group);
 			const std::vector<FloatingTask> &floating = context.floating_tasks_of(member);
 			batch.floating_tasks.insert(batch.floating_tasks.end(), floating.begin(), floating.end());
 			batch.task_counts.push_back(uint32_t(context.agenda_of(member).tasks().size()));
@@ -146,11 +152,7 @@ private:
 	}
 
 	static void append(AgendaSet &set, Batch &batch) {
-		const uint32_t first_group = uint32_t(set.groups.size());
-		for (Task &task : batch.tasks) {
-			task.target += task.kind == TaskKind::Accompany ? first_group : 0;
-			set.tasks.push_back(task);
-		}
+		add_tasks(set.tasks, batch.tasks, uint32_t(set.groups.size()));
 		set.floating_tasks.insert(set.floating_tasks.end(), batch.floating_tasks.begin(), batch.floating_tasks.end());
 		for (size_t i = 0; i < batch.task_counts.size(); ++i) {
 			set.first_task.push_back(set.first_task.back() + batch.task_counts[i]);

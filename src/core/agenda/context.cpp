@@ -82,13 +82,9 @@ TypeId Context::type_named(const Text &text) const {
 	return city().types.find(text.view);
 }
 
-bool require_focus(Vm &vm, std::string_view what) {
-	if (is_valid(context_of(vm).focus())) {
-		return true;
-	}
+void fail_focus(Vm &vm, std::string_view what) {
 	vm.fail("no-focus", "'" + std::string(what) + "' needs a person, but nobody is focused here",
 			"call it inside members { condition: .. }, which focuses one member after the other");
-	return false;
 }
 
 } // namespace pcg::agenda

@@ -97,7 +97,16 @@ private:
 	PersonId _saved;
 };
 
-// Fails the run unless somebody is focused: `what` names the built-in that asks.
-bool require_focus(Vm &vm, std::string_view what);
+// Fails the run: `what` names the built-in that needs somebody focused.
+void fail_focus(Vm &vm, std::string_view what);
+
+// Fails the run unless somebody is focused.
+inline bool require_focus(Vm &vm, std::string_view what) {
+	if (is_valid(context_of(vm).focus())) [[likely]] {
+		return true;
+	}
+	fail_focus(vm, what);
+	return false;
+}
 
 } // namespace pcg::agenda

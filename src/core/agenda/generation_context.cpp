@@ -26,6 +26,14 @@ void fail_names(Vm &vm, std::string_view name) {
 	}
 }
 
+// Rounded to the nearest millisecond, halves away from zero, as Duration::seconds does; of times that were checked.
+int32_t to_ms(double seconds) {
+	const double ms = seconds * 1000.0;
+	const int32_t whole = int32_t(ms);
+	const double rest = ms - double(whole);
+	return whole + (rest >= 0.5) - (rest <= -0.5);
+}
+
 // Warns of times that cannot hold; an entry of more than a day is cut. False: nothing is to be inserted.
 bool check_times(Vm &vm, std::string_view operation, double start, double &end) {
 	const auto name = [operation] { return "'" + std::string(operation) + "'"; };
@@ -78,12 +86,13 @@ Flow GenerationContext::insert(Vm &vm, std::string_view operation, TaskKind kind
 	if (!require_focus(vm, operation)) {
 		return Flow::Stop;
 	}
-	if (!check_times(vm, operation, start, end)) {
+	const bool is_usual = start < end && end - start <= day_seconds && start >= -week_seconds && end <= week_seconds;
+	if (!is_usual && !check_times(vm, operation, start, end)) {
 		return Flow::Next;
 	}
 	Task task;
-	task.start_ms = int32_t(Duration::seconds(start).ms);
-	task.end_ms = int32_t(Duration::seconds(end).ms);
+	task.start_ms = to_ms(start);
+	task.end_ms = to_ms(end);
 	task.kind = kind;
 	task.target = target;
 	task.days = _days;
@@ -91,15 +100,23 @@ Flow GenerationContext::insert(Vm &vm, std::string_view operation, TaskKind kind
 	return insert_task(vm, focus(), task) ? Flow::Next : Flow::Stop;
 }
 
-bool GenerationContext::insert_task(Vm &vm, PersonId member, Task task) {
-	Agenda &agenda = agenda_of(member);
+void GenerationContext::insert_named_task(PersonId member, Task task) {
 	task.name = _entry_name;
 	task.requirement = _requirement;
 	_has_requirements = _has_requirements || _requirement != 0;
-	if (agenda.insert(task) && task.name != 0) {
+	if (agenda_of(member).insert(task) && _entry_name != 0) {
 		_named_tasks.push_back({ member, normalized(task) });
 	}
-	if (agenda.tasks().size() <= max_entries) {
+}
+
+bool GenerationContext::insert_task(Vm &vm, PersonId member, const Task &task) {
+	Agenda &agenda = agenda_of(member);
+	if ((_entry_name | _requirement) == 0) [[likely]] {
+		agenda.insert(task);
+	} else {
+		insert_named_task(member, task);
+	}
+	if (agenda.tasks().size() <= max_entries) [[likely]] {
 		return true;
 	}
 	vm.fail("agenda-too-long", "the agenda of person " + std::to_string(index_of(member)) + " has more than " + std::to_string(max_entries) + " entries",

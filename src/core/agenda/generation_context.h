@@ -45,7 +45,7 @@ public:
 	// Fails the run if nobody is focused. Origins are addresses in the program until all households are done.
 	Flow insert(Vm &vm, std::string_view operation, TaskKind kind, double start, double end, uint32_t target);
 	// Fails the run when an agenda grows beyond any sense.
-	bool insert_task(Vm &vm, PersonId member, Task task);
+	bool insert_task(Vm &vm, PersonId member, const Task &task);
 	void add_floating_task(Vm &vm, FloatingTask task);
 	uint32_t add_group(Group group);
 
@@ -63,6 +63,7 @@ private:
 		std::vector<FloatingTask> floating;
 	};
 
+	void insert_named_task(PersonId member, Task task);
 	void report_dropped(const DroppedTask &dropped);
 	size_t index_in_household(PersonId member) const { return index_of(member) - index_of(household().first_member); }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "core/lang/compiler.h"
+#include "core/lang/opcode.h"
 #include "core/lang/vm.h"
 
 // Calls of functions, and the arguments of everything built in.
@@ -117,7 +118,9 @@ uint32_t Compiler::arguments(const std::vector<ParamSpec> &params, std::string_v
 	}
 	for (size_t i = 0; i < values.size(); ++i) {
 		const ParamSpec &param = params[std::min(i, params.size() - 1)];
-		mask |= argument(param, name, i, values[i]) ? 1u << std::min<size_t>(i, 31) : 0;
+		if (argument(param, name, i, values[i])) {
+			mask |= 1u << std::min<size_t>(i, last_check_bit) | (param.kind == ParamKind::Number ? 0 : check_mask_others);
+		}
 	}
 	return mask;
 }

@@ -1,5 +1,8 @@
 #include <cmath>
 
+#include <algorithm>
+#include <iterator>
+
 #include "core/lang/compiler.h"
 
 // Expressions to code that leaves one value on the stack.
@@ -164,7 +167,26 @@ Compiler::Known Compiler::size_expression(uint32_t id) {
 Chunk Compiler::value_chunk(uint32_t expr, bool is_size) {
 	begin_chunk();
 	is_size ? size_expression(expr) : expression(expr);
-	return end_chunk(OpCode::Return, _scope.ast->exprs[expr].offset);
+	const uint32_t offset = _scope.ast->exprs[expr].offset;
+	if (!makes_no_frames()) {
+		return end_chunk(OpCode::Return, offset);
+	}
+	Builder &builder = _builders.back();
+	builder.code.insert(builder.code.begin(), { OpCode::Leaf, 0, 0, 0 }); // jumps are relative: they still lead where they led
+	builder.places.insert(builder.places.begin(), place(offset));
+	return end_chunk(OpCode::ReturnLeaf, offset);
+}
+
+// Whether the chunk calls nothing of the rule set and is more than a constant.
+bool Compiler::makes_no_frames() const {
+	const std::vector<Instruction> &code = _builders.back().code;
+	const bool is_constant = code.size() <= 2 && code.front().code == OpCode::PushConstant &&
+			(code.size() == 1 || code.back().code == OpCode::TagSize);
+	constexpr OpCode makers[] = { OpCode::CallUser, OpCode::CallRule, OpCode::CallHostRule, OpCode::CallOperation, OpCode::CallBlock,
+		OpCode::CallFunctionBlock, OpCode::SetSlot, OpCode::PushGroup, OpCode::BeginImport };
+	return !is_constant && std::none_of(code.begin(), code.end(), [&](const Instruction &instruction) {
+		return std::find(std::begin(makers), std::end(makers), instruction.code) != std::end(makers);
+	});
 }
 
 // --- Operators

@@ -114,6 +114,7 @@ private:
 	bool fold_binary(TokenKind op, uint32_t begin, uint32_t depth, uint32_t offset);
 	bool fold_call(const FunctionSpec &spec, uint32_t begin, uint32_t depth, size_t count, uint32_t offset);
 	Chunk value_chunk(uint32_t expr, bool is_size);
+	bool makes_no_frames() const;
 	void warn_shares(std::span<const uint32_t> shares);
 
 	// compile_name.cpp

@@ -36,7 +36,7 @@ enum class OpCode : uint8_t {
 	ChanceJump, // pops a share, takes it from the drawn number below; jumps while something is left of that, else pops it too
 	Pop,
 	TagSize, // extra: SizeKind
-	CallFunction, // extra: function of the dialect, count: arguments, operand: bit k = argument k is checked
+	CallFunction, // extra: function of the dialect, count: arguments, operand: which are checked (see check_mask_others)
 	CallOperation, // the same of operations
 	CallBlock, // as CallOperation; operand: block; two Data follow: mask, second block + 1
 	CallFunctionBlock, // as CallBlock, of functions
@@ -55,8 +55,15 @@ enum class OpCode : uint8_t {
 	EndImport,
 	FindTarget, // pops a text: the attribute or variable of that name; operand: text in front of names
 	FindWord, // pops a text: its place among the words; operand: text with the words
+	Leaf, // begins an expression that makes no frames: Vm::evaluate() runs it without one
+	ReturnLeaf, // ends it, with its value on top
 	Return, // of a chunk with a value, which is on top
 	End, // of a chunk without one
 };
+
+// Bit k of the mask of a call: argument k is checked when it runs, since its type is not known before; the last bit stands for all from there on.
+// `others`: not all of these have to be numbers.
+constexpr uint32_t last_check_bit = 15;
+constexpr uint32_t check_mask_others = 1u << 16;
 
 } // namespace pcg

@@ -13,16 +13,15 @@ namespace {
 // Most sizes are plain numbers, which need no frame.
 bool is_constant(const Program &program, Chunk chunk, Value &value) {
 	const Instruction *code = program.code.data() + uint32_t(chunk);
-	if (code->code != OpCode::PushConstant) {
+	const bool is_tagged = code->code == OpCode::PushConstant && code[1].code == OpCode::TagSize;
+	if (code->code != OpCode::PushConstant || code[is_tagged ? 2 : 1].code != OpCode::Return) {
 		return false;
 	}
-	const Instruction *next = code + 1;
 	value = program.constants[code->operand];
-	if (next->code == OpCode::TagSize) {
-		value.size_kind = SizeKind(next->extra);
-		++next;
+	if (is_tagged) {
+		value.size_kind = SizeKind(code[1].extra);
 	}
-	return next->code == OpCode::Return;
+	return true;
 }
 
 } // namespace
@@ -35,7 +34,7 @@ Vm::Vm(const Program &program, VmHost &host, VmLimits limits) : _program(&progra
 	_top = _stack;
 	_frames.reserve(64);
 	_trail.reserve(64);
-	_overrides.resize(program.attributes.size());
+	reset_initial_attributes();
 	begin(0);
 }
 
@@ -57,7 +56,7 @@ void Vm::begin(uint64_t seed) {
 	_outer_attributes.clear();
 	_import_attributes.clear();
 	_slots.assign(_program->slot_count, Value());
-	_own_attributes.assign(_overrides.begin(), _overrides.end());
+	_own_attributes.assign(_initial_attributes.begin(), _initial_attributes.end());
 	_attributes = _own_attributes.data();
 	_texts.clear();
 	_text_storage.clear();
@@ -88,18 +87,25 @@ void Vm::hide_slots() {
 	}
 }
 
-bool Vm::count_step() {
-	if (++_steps <= _limits.max_steps) [[likely]] {
-		constexpr uint64_t steps_between_questions = 0x4000;
-		if (_steps % steps_between_questions == 0 && _host->is_interrupted()) {
-			_failed = true;
-			return false;
-		}
-		return true;
+bool Vm::count_step_with_care() {
+	if (_steps <= _limits.max_steps) {
+		_failed = _failed || _host->is_interrupted();
+		return !_failed;
 	}
 	fail("step-limit", "gave up after " + std::to_string(_limits.max_steps) + " calls in one run",
 			"do rules call each other without an end?");
 	return false;
+}
+
+// Most attributes are plain numbers and texts: they need no evaluation in each run.
+void Vm::reset_initial_attributes() {
+	_initial_attributes.assign(_program->attributes.size(), Value());
+	for (size_t i = 0; i < _initial_attributes.size(); ++i) {
+		const Chunk code = _program->attributes[i].code;
+		if (code != Chunk::None) {
+			is_constant(*_program, code, _initial_attributes[i]);
+		}
+	}
 }
 
 bool Vm::is_strict() const { return _program->dialect != nullptr && _program->dialect->unknown_names == Dialect::UnknownNames::Error; }
@@ -245,6 +251,9 @@ Value Vm::evaluate(Chunk chunk) {
 	if (chunk == Chunk::None) {
 		return Value();
 	}
+	if (_program->code[uint32_t(chunk)].code == OpCode::Leaf && _top + _program->max_stack <= _stack_end) {
+		return evaluate_leaf(chunk);
+	}
 	Value result;
 	if (is_constant(*_program, chunk, result)) {
 		return result;
@@ -258,6 +267,21 @@ Value Vm::evaluate(Chunk chunk) {
 		}
 	}
 	leave_native(border);
+	return result;
+}
+
+Value Vm::evaluate_leaf(Chunk chunk) {
+	const uint32_t address = _address;
+	Value *const top = _top;
+	Value result;
+	if (!_failed && count_step()) {
+		_address = uint32_t(chunk) + 1;
+		if (run() == Stop::Returned && !_failed) {
+			result = _top[-1];
+		}
+	}
+	_address = address;
+	_top = top;
 	return result;
 }
 

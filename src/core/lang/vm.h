@@ -161,6 +161,8 @@ public:
 private:
 	enum class Stop : uint8_t { Returned, Paused, Stopped };
 
+	static constexpr uint64_t steps_between_questions = 0x4000;
+
 	// Where a handler's evaluation began, to go back to.
 	struct Border {
 		size_t frame_count;
@@ -177,7 +179,14 @@ private:
 	void unwind_trail(uint32_t mark);
 	void set_slot(uint32_t slot, const Value &value);
 	void hide_slots();
-	bool count_step();
+	// False: the run has failed. The host is asked now and then whether to go on.
+	bool count_step() {
+		++_steps;
+		return (_steps <= _limits.max_steps && _steps % steps_between_questions != 0) || count_step_with_care();
+	}
+	bool count_step_with_care();
+	Value evaluate_leaf(Chunk chunk);
+	void reset_initial_attributes();
 	const Value &load_attribute(uint32_t index);
 	Value evaluate_attribute(uint32_t index);
 	Value arithmetic(const Instruction &instruction, const Value &a, const Value &b);
@@ -201,6 +210,7 @@ private:
 	bool begin_import(const ImportScope &scope, std::span<const Value> values);
 	Value find_target(std::string_view prefix, const Value &name);
 	Value find_word(std::string_view words, const Value &word);
+	bool check_argument(const ParamSpec &param, std::string_view name, size_t position, Value &value);
 	bool check_arguments(const std::vector<ParamSpec> &params, std::string_view name, const Args &args, uint32_t mask);
 	bool call_function(const Instruction &instruction, uint32_t mask, const Block *block);
 	Flow call_operation(const Instruction &instruction, uint32_t mask, const Block *block, const Block *second_block);
@@ -234,7 +244,7 @@ private:
 	std::vector<VmTrailEntry> _trail;
 	std::vector<Value> _slots;
 	std::vector<Value> _own_attributes;
-	std::vector<Value> _overrides;
+	std::vector<Value> _initial_attributes; // what runs begin with: the host's overrides, and constants; else Void
 	Value *_attributes = nullptr;
 	std::deque<Text> _texts;
 	std::deque<std::string> _text_storage;

@@ -34,14 +34,14 @@ bool Vm::override_attribute(std::string_view name, Value value) {
 			value = Value::of(&_override_text_values.back());
 		}
 	}
-	_overrides[size_t(index)] = value;
+	_initial_attributes[size_t(index)] = value;
 	_own_attributes[size_t(index)] = value;
 	return true;
 }
 
 void Vm::clear_overrides() {
-	std::fill(_overrides.begin(), _overrides.end(), Value());
-	std::fill(_own_attributes.begin(), _own_attributes.end(), Value());
+	reset_initial_attributes();
+	std::copy(_initial_attributes.begin(), _initial_attributes.end(), _own_attributes.begin());
 	_override_text_values.clear();
 	_override_texts.clear();
 }
@@ -107,7 +107,7 @@ bool Vm::begin_import(const ImportScope &scope, std::span<const Value> values) {
 	}
 	_attributes = own;
 	for (uint32_t attribute : scope.attributes) {
-		own[attribute] = _overrides[attribute];
+		own[attribute] = _initial_attributes[attribute];
 	}
 	for (size_t i = 0; i < values.size(); ++i) {
 		own[scope.overridden[i]] = values[i];

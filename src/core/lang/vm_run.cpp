@@ -1,3 +1,5 @@
+#include <bit>
+
 #include "core/lang/opcode.h"
 #include "core/lang/vm.h"
 
@@ -13,12 +15,29 @@ bool Vm::is_true(const Value &condition) {
 	return condition.boolean;
 }
 
+namespace {
+
+// The usual case: all arguments to be checked are wanted as numbers, and are.
+bool are_numbers(const Value *arguments, uint32_t count, uint32_t mask) {
+	if ((mask & check_mask_others) != 0 || count > last_check_bit) {
+		return false;
+	}
+	for (; mask != 0; mask &= mask - 1) {
+		if (!arguments[std::countr_zero(mask)].is_number()) {
+			return false;
+		}
+	}
+	return true;
+}
+
+} // namespace
+
 Flow Vm::call_operation(const Instruction &instruction, uint32_t mask, const Block *block, const Block *second_block) {
 	const OperationSpec &spec = _program->dialect->operations[instruction.extra];
 	Value *const first = _top - instruction.count;
 	const Args args = { { first, instruction.count }, block, second_block, spec.user };
 	_silent_steps = 0;
-	if (!count_step() || (mask != 0 && !check_arguments(spec.params, spec.name, args, mask))) {
+	if (!count_step() || (!are_numbers(first, instruction.count, mask) && !check_arguments(spec.params, spec.name, args, mask))) {
 		return Flow::Stop;
 	}
 	const Flow flow = spec.handler(*this, args);
@@ -36,7 +55,7 @@ bool Vm::call_function(const Instruction &instruction, uint32_t mask, const Bloc
 	const FunctionSpec &spec = _program->dialect->functions[instruction.extra];
 	Value *const first = _top - instruction.count;
 	const Args args = { { first, instruction.count }, block, nullptr, spec.user };
-	if (mask != 0 && !check_arguments(spec.params, spec.name, args, mask)) {
+	if (!are_numbers(first, instruction.count, mask) && !check_arguments(spec.params, spec.name, args, mask)) {
 		return false;
 	}
 	const Value result = spec.handler(*this, args);
@@ -57,7 +76,10 @@ Vm::Stop Vm::run() {
 		_top = top;
 	};
 	for (;;) {
-		const Instruction i = *ip++;
+		const Instruction &i = *ip++;
+		if (i.code > OpCode::End) {
+			__builtin_unreachable(); // programs are made by the compiler: no need to look in each turn
+		}
 		switch (i.code) {
 			case OpCode::PushConstant:
 				*top++ = program.constants[i.operand];
@@ -251,8 +273,12 @@ Vm::Stop Vm::run() {
 				top = _top;
 				break;
 			}
+			case OpCode::Leaf:
 			case OpCode::Data:
 				break;
+			case OpCode::ReturnLeaf:
+				store();
+				return Stop::Returned;
 			case OpCode::CallUser:
 			case OpCode::CallRule: {
 				store();

@@ -1,10 +1,11 @@
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
 #include "core/agenda/generation_context.h"
 #include "core/agenda/operations/operations.h"
+#include "core/base/small_vector.h"
 
 namespace pcg::agenda {
 
@@ -58,11 +59,7 @@ public:
 					"count(predicate) tells beforehand how many match");
 			return Flow::Next;
 		}
-		for (int day = 0; day < 7; ++day) {
-			if ((_context.days() >> day) & 1) {
-				add_day(int(((day + _shift) % 7 + 7) % 7));
-			}
-		}
+		add_days();
 		if (_groups.empty()) {
 			_vm.warn("nothing-to-accompany", "the first person to be accompanied goes to no building at that time, so nothing is inserted",
 					"write that person's goToBuilding(..) first");
@@ -76,6 +73,24 @@ public:
 	}
 
 private:
+	void add_days() {
+		const bool are_equal = _context.days() == all_days && std::all_of(_joiners.begin(), _joiners.end(), [&](PersonId joiner) {
+			return _context.agenda_of(joiner).is_same_every_day();
+		});
+		if (are_equal) { // one day tells all
+			add_day(0);
+			for (Group &group : _groups) {
+				group.days = all_days;
+			}
+			return;
+		}
+		for (int day = 0; day < 7; ++day) {
+			if ((_context.days() >> day) & 1) {
+				add_day(int(((day + _shift) % 7 + 7) % 7));
+			}
+		}
+	}
+
 	Trip trip_of(PersonId member, int day) {
 		const Task *task = _context.agenda_of(member).at(day, _time_of_day);
 		if (task == nullptr) {
@@ -92,11 +107,12 @@ private:
 	}
 
 	void add_day(int day) {
-		const Trip first = trip_of(_joiners.front(), day);
+		const Trip first = trip_of(_joiners[0], day);
 		if (!is_valid(first.goal)) {
 			return;
 		}
 		Group group{ _leader, {}, first.goal, first.start_ms, first.end_ms, DayMask(1u << first.day) };
+		group.joiners.reserve(_joiners.size());
 		for (PersonId joiner : _joiners) {
 			if (trip_of(joiner, day).goal == first.goal) {
 				group.joiners.push_back(joiner);
@@ -118,15 +134,13 @@ private:
 		task.end_ms = group.end_ms;
 		task.days = group.days;
 		task.origin = _vm.address();
-		std::vector<PersonId> walkers = group.joiners;
-		walkers.push_back(_leader);
 		task.target = _context.add_group(std::move(group));
-		for (PersonId walker : walkers) {
+		for (PersonId walker : _context.groups()[task.target].joiners) {
 			if (!_context.insert_task(_vm, walker, task)) {
 				return false;
 			}
 		}
-		return true;
+		return _context.insert_task(_vm, _leader, task);
 	}
 
 	Vm &_vm;
@@ -134,7 +148,7 @@ private:
 	PersonId _leader;
 	int64_t _shift = 0; // days from the day that is written to the one `time` falls on
 	Duration _time_of_day;
-	std::vector<PersonId> _joiners; // ascending
+	SmallVector<PersonId, 8> _joiners; // ascending
 	std::vector<Group> _groups;
 };
 
