@@ -43,6 +43,15 @@ void Compiler::warn_unreachable(bool is_decided, uint32_t offset) {
 	}
 }
 
+// Two `case` in one sequence are one choice, wherever they stand: one that is written as if it belonged to the branch above hardly means that.
+void Compiler::warn_indented(uint32_t first_case, uint32_t offset) {
+	const SourcePlace first = place(first_case), here = place(offset);
+	if (is_strict() && here.line > first.line && here.column > first.column) {
+		warn("indented-case", offset, "this is one more branch of the `case` in line " + std::to_string(first.line) + ", and not a part of the branch above",
+				"put it into [ ] to make it a part of that branch, or write it below the first `case`");
+	}
+}
+
 bool Compiler::is_always_true(const Value &condition, uint32_t offset) {
 	if (condition.is_bool() && !condition.boolean && is_strict()) {
 		warn("unreachable", offset, "this is never reached: its condition never holds");

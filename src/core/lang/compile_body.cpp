@@ -80,6 +80,7 @@ void Compiler::case_command(const Command &command) {
 		const Branch &branch = _scope.ast->branches[id];
 		has_else = branch.condition == no_node;
 		warn_unreachable(is_decided, branch.offset);
+		warn_indented(_scope.ast->branches[branches[0]].offset, branch.offset);
 		if (has_else) {
 			body(branch.body);
 			break;

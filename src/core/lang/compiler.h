@@ -164,6 +164,7 @@ private:
 
 	// check_program.cpp: warnings about what is sound but has no effect
 	void warn_unreachable(bool is_decided, uint32_t offset);
+	void warn_indented(uint32_t first_case, uint32_t offset);
 	bool is_always_true(const Value &condition, uint32_t offset); // warns of one that is always false
 	Value constant_of(Chunk chunk) const; // Void if it is more than a constant
 	void warn_unused_and_phases();
