@@ -96,3 +96,23 @@ func test_a_household_table_tells_shares_and_refuses_bad_rows() -> void:
 	check(wrong.has_errors(), "a negative count is refused")
 	check_equal(wrong.get_diagnostics()[0]["line"], 2, "the row is named")
 	check(PCGHouseholdTable.from_file(_write("none.csv", "descriptor,count\n")).has_errors(), "no rows are refused")
+
+
+func test_scripts_add_functions_that_rules_call() -> void:
+	check(PCGRuleSet.add_function("luckyFor", {"number": TYPE_FLOAT}, TYPE_BOOL, func(_person: int, number: float) -> bool: return number == 7.0), "added")
+	check(PCGRuleSet.add_function("luckyFor", {"number": TYPE_FLOAT}, TYPE_BOOL, func(_person: int, number: float) -> bool: return number == 8.0), "replaced")
+	var text := "@StartRule\nHousehold --> members { luckyFor(age): stayInside(0h, 24h, home) }\n"
+	var good: PCGRuleSet = load(_write("lucky.pcg", text))
+	check(not good.has_errors(), "rules call it: %s" % [good.get_diagnostics()])
+	var wrong: PCGRuleSet = load(_write("unlucky.pcg", text.replace("age", '"seven"')))
+	check_equal(_first_diagnostic(wrong).get("id"), "type-mismatch", "arguments are checked when a file is compiled")
+
+
+func test_what_scripts_cannot_add_is_told() -> void:
+	var never := func(_person: int) -> bool: return false
+	expect_message("the language has 'home' already")
+	check(not PCGRuleSet.add_function("home", {}, TYPE_BOOL, never), "a name that is taken")
+	expect_message("'nothing' has a result that the agenda language does not know")
+	check(not PCGRuleSet.add_function("nothing", {}, TYPE_OBJECT, never), "a result without a meaning")
+	expect_message("parameter 'where' of 'nothing' has no type of the agenda language")
+	check(not PCGRuleSet.add_operation("nothing", {"where": TYPE_VECTOR3}, never), "a parameter without a meaning")

@@ -16,6 +16,7 @@
 #include "godot/convert.h"
 #include "godot/nodes/pcg_agent_view.h"
 #include "godot/nodes/pcg_city.h"
+#include "godot/ports/script_builtins.h"
 #include "godot/report.h"
 
 using namespace godot;
@@ -169,6 +170,7 @@ bool CitizenManager::generate_population() {
 	AgendaOptions days;
 	days.seed = uint64_t(_seed);
 	days.start_rule = from_godot(_start_rule);
+	days.work.threads = has_script_builtins() ? 1 : 0;
 	if (!_diagnostics.has_errors()) {
 		life->agendas = generate_agendas(*life->program, model, *life->city->paths, life->population, days, _diagnostics);
 	}

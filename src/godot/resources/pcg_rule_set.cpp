@@ -4,9 +4,10 @@
 
 #include "core/cga/dialect.h"
 #include "core/io/rule_loader.h"
-#include "core/sim/dialect.h"
 #include "godot/convert.h"
 #include "godot/ports/engine_files.h"
+#include "godot/ports/script_builtins.h"
+#include "godot/report.h"
 
 using namespace godot;
 
@@ -16,6 +17,8 @@ void PCGRuleSet::_bind_methods() {
 	BIND_ENUM_CONSTANT(DIALECT_CGA);
 	BIND_ENUM_CONSTANT(DIALECT_AGENDA);
 	ClassDB::bind_static_method("PCGRuleSet", D_METHOD("from_file", "path"), &PCGRuleSet::from_file);
+	ClassDB::bind_static_method("PCGRuleSet", D_METHOD("add_function", "name", "parameters", "result", "function"), &PCGRuleSet::add_function);
+	ClassDB::bind_static_method("PCGRuleSet", D_METHOD("add_operation", "name", "parameters", "operation"), &PCGRuleSet::add_operation);
 	ClassDB::bind_method(D_METHOD("reload"), &PCGRuleSet::reload);
 	ClassDB::bind_method(D_METHOD("get_file"), &PCGRuleSet::get_file);
 	ClassDB::bind_method(D_METHOD("has_errors"), &PCGRuleSet::has_errors);
@@ -44,6 +47,20 @@ Ref<PCGRuleSet> PCGRuleSet::from_file(const String &p_path) {
 	rules.instantiate();
 	rules->read_file(p_path);
 	return rules;
+}
+
+bool PCGRuleSet::add_function(const String &p_name, const Dictionary &p_parameters, int p_result, const Callable &p_function) {
+	Diagnostics diagnostics;
+	const bool is_added = add_script_function(p_name, p_parameters, Variant::Type(p_result), p_function, diagnostics);
+	report(diagnostics);
+	return is_added;
+}
+
+bool PCGRuleSet::add_operation(const String &p_name, const Dictionary &p_parameters, const Callable &p_operation) {
+	Diagnostics diagnostics;
+	const bool is_added = add_script_operation(p_name, p_parameters, p_operation, diagnostics);
+	report(diagnostics);
+	return is_added;
 }
 
 void PCGRuleSet::read_file(const String &p_path) {
@@ -78,7 +95,7 @@ void PCGRuleSet::set_dialect(Dialect p_dialect) {
 
 void PCGRuleSet::compile() {
 	_diagnostics = Diagnostics();
-	const pcg::Dialect &dialect = _dialect == DIALECT_CGA ? cga::cga_dialect() : pcg_dialect();
+	const pcg::Dialect &dialect = _dialect == DIALECT_CGA ? cga::cga_dialect() : agenda_dialect();
 	if (!_file.is_empty()) {
 		EngineFiles files;
 		_program = load_program(from_godot(_file), dialect, files, _diagnostics);

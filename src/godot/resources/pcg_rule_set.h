@@ -5,6 +5,7 @@
 #include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/classes/resource.hpp>
 #include <godot_cpp/core/binder_common.hpp>
+#include <godot_cpp/variant/callable.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
 #include <godot_cpp/variant/string.hpp>
@@ -24,6 +25,9 @@ public:
 
 	// Always a rule set, whatever is wrong with the file.
 	static godot::Ref<PCGRuleSet> from_file(const godot::String &p_path);
+	// Functions and operations that rules may call from then on, in whatever is compiled later. False, with an engine error, if that cannot be.
+	static bool add_function(const godot::String &p_name, const godot::Dictionary &p_parameters, int p_result, const godot::Callable &p_function);
+	static bool add_operation(const godot::String &p_name, const godot::Dictionary &p_parameters, const godot::Callable &p_operation);
 	void read_file(const godot::String &p_path);
 	void reload();
 
