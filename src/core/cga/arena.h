@@ -16,25 +16,24 @@ class Arena {
 public:
 	struct Mark {
 		size_t chunk = 0;
-		size_t used = 0;
+		std::byte *next = nullptr; // nullptr: where the chunk begins
 	};
 
-	Mark mark() const { return { _current, _chunks.empty() ? 0 : _chunks[_current].used }; }
+	Mark mark() const { return { _current, _next }; }
 	// Everything allocated since the mark is gone; the memory is kept for what comes next.
 	void release(Mark mark) {
-		for (size_t i = mark.chunk + 1; i < _chunks.size(); ++i) {
-			_chunks[i].used = 0;
-		}
 		_current = mark.chunk;
 		if (!_chunks.empty()) {
-			_chunks[_current].used = mark.used;
+			const Chunk &chunk = _chunks[_current];
+			_next = mark.next != nullptr ? mark.next : chunk.memory.get();
+			_end = chunk.memory.get() + chunk.size;
 		}
 	}
 
 	// Uninitialized. Only for types without destructors that matter.
 	template <typename T> T *allocate(size_t count) {
 		static_assert(std::is_trivially_destructible_v<T>);
-		static_assert(alignof(T) <= alignof(std::max_align_t));
+		static_assert(alignof(T) <= alignment);
 		return static_cast<T *>(take(sizeof(T) * count));
 	}
 	template <typename T> T *copy(const T *source, size_t count) {
@@ -57,39 +56,41 @@ public:
 	}
 
 private:
+	static constexpr size_t alignment = alignof(std::max_align_t);
 	static constexpr size_t first_size = 64 * 1024;
 	struct Chunk {
 		std::unique_ptr<std::byte[]> memory;
 		size_t size = 0;
-		size_t used = 0;
 	};
 
 	void *take(size_t bytes) {
-		bytes = (bytes + alignof(std::max_align_t) - 1) / alignof(std::max_align_t) * alignof(std::max_align_t);
-		while (_current < _chunks.size()) {
-			Chunk &chunk = _chunks[_current];
-			if (chunk.size - chunk.used >= bytes) {
-				void *result = chunk.memory.get() + chunk.used;
-				chunk.used += bytes;
-				return result;
-			}
-			if (_current + 1 == _chunks.size()) {
-				break;
-			}
-			++_current;
+		bytes = (bytes + alignment - 1) / alignment * alignment;
+		if (bytes > size_t(_end - _next)) [[unlikely]] {
+			find_chunk(bytes);
 		}
-		return take_new(bytes);
+		void *result = _next;
+		_next += bytes;
+		return result;
 	}
-	void *take_new(size_t bytes) {
-		const size_t wanted = _chunks.empty() ? first_size : 2 * _chunks.back().size;
-		const size_t size = wanted > bytes ? wanted : bytes;
-		_chunks.push_back({ std::unique_ptr<std::byte[]>(new std::byte[size]), size, bytes });
-		_current = _chunks.size() - 1;
-		return _chunks.back().memory.get();
-	}
+	// The next chunk with so much room, a new one if there is none.
+	void find_chunk(size_t bytes);
 
 	std::vector<Chunk> _chunks;
 	size_t _current = 0;
+	std::byte *_next = nullptr, *_end = nullptr; // of the current chunk
+};
+
+// For lists that a block of code needs while it runs: given back at its end.
+class ArenaScope {
+public:
+	explicit ArenaScope(Arena &arena) : _arena(arena), _mark(arena.mark()) {}
+	~ArenaScope() { _arena.release(_mark); }
+	ArenaScope(const ArenaScope &) = delete;
+	ArenaScope &operator=(const ArenaScope &) = delete;
+
+private:
+	Arena &_arena;
+	Arena::Mark _mark;
 };
 
 } // namespace pcg::cga

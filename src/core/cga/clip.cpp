@@ -65,8 +65,10 @@ const Geometry *Clipper::clip_uv(const Geometry &geometry, size_t set, int axis,
 
 // False: all of it stays, or nothing.
 bool Clipper::is_cut(bool &is_whole) const {
-	is_whole = std::ranges::none_of(_distances, [](double d) { return d < 0.0; }) && std::ranges::any_of(_distances, [](double d) { return d > 0.0; });
-	return !is_whole && std::ranges::any_of(_distances, [](double d) { return d > 0.0; });
+	const bool has_inside = std::ranges::any_of(_distances, [](double d) { return d > 0.0; });
+	const bool has_outside = std::ranges::any_of(_distances, [](double d) { return d < 0.0; });
+	is_whole = has_inside && !has_outside;
+	return has_inside && has_outside;
 }
 
 void Clipper::measure_uv(const Geometry &geometry, double at, bool keeps_above) {
@@ -106,16 +108,59 @@ void Clipper::clip_face(const Geometry &geometry, const GeometryFace &face) {
 		_builder.add_face(geometry, face);
 		return;
 	}
+	const glm::dvec3 normal = face_normal(geometry, face);
+	if (face.loop_count == 1 && clip_simple(geometry, face, normal)) {
+		return;
+	}
 	_chains.clear();
 	_chain_points.clear();
 	_chain_origins.clear();
 	_whole_holes.clear();
-	_along = _uvs == nullptr ? glm::cross(_normal, face_normal(geometry, face)) : glm::dvec3(0.0);
+	_along = _uvs == nullptr ? glm::cross(_normal, normal) : glm::dvec3(0.0);
 	for (uint32_t i = 0; i < face.loop_count; ++i) {
 		collect_chains(geometry, face.first_loop + i, i == 0);
 	}
 	pair_chains();
-	emit_pieces(geometry, face);
+	emit_pieces(geometry, face, normal);
+}
+
+// An outline that comes in once, as convex ones do, is one piece: from where it comes in to where it goes out. False: this is another.
+bool Clipper::clip_simple(const Geometry &geometry, const GeometryFace &face, glm::dvec3 normal) {
+	const uint32_t first = geometry.first_point(face.first_loop), count = geometry.loop_ends[face.first_loop] - first;
+	const auto at = [&](uint32_t i) { return first + (i < count ? i : i - count); };
+	const auto is_in = [&](uint32_t i) { return _distances[at(i)] > 0.0; };
+	uint32_t enter = 0, enters = 0, inside = 0;
+	for (uint32_t i = 0; i < count; ++i) {
+		inside += is_in(i);
+		if (!is_in(i) && is_in(i + 1)) {
+			enter = i;
+			++enters;
+		}
+	}
+	if (enters != 1) {
+		return false;
+	}
+	CornerOrigin enter_origin, leave_origin;
+	const glm::dvec3 enter_point = cut_point(geometry, at(enter), at(enter + 1), enter_origin);
+	const glm::dvec3 leave_point = cut_point(geometry, at(enter + inside), at(enter + inside + 1), leave_origin);
+	// Place 0 is where the outline comes in, the last one where it goes out. It begins with the first edge, or with the cut in its place.
+	const uint32_t places = inside + 2;
+	const uint32_t start = is_in(0) ? count - enter : is_in(1) ? 0 : places - 1;
+	_outline.clear();
+	_outline_origins.clear();
+	for (uint32_t i = 0; i < places; ++i) {
+		const uint32_t place = start + i < places ? start + i : start + i - places;
+		const uint32_t corner = at(enter + place);
+		_outline.push_back(place == 0 ? enter_point : place + 1 == places ? leave_point : geometry.points[corner]);
+		if (_builder.keeps_origins()) {
+			_outline_origins.push_back(place == 0 ? enter_origin : place + 1 == places ? leave_origin : CornerOrigin{ corner });
+		}
+	}
+	_cuts.push_back({ leave_point, enter_point });
+	if (glm::dot(area_vector(_outline), normal) > 0.0 && _builder.add_loop(_outline, _outline_origins)) {
+		_builder.end_face(face.tag, face.material);
+	}
+	return true;
 }
 
 // Always from the point that stays to the other one, so that both faces at an edge get the same bits.
@@ -207,8 +252,7 @@ void Clipper::pair_chains() {
 	}
 }
 
-void Clipper::emit_pieces(const Geometry &geometry, const GeometryFace &face) {
-	const glm::dvec3 normal = face_normal(geometry, face);
+void Clipper::emit_pieces(const Geometry &geometry, const GeometryFace &face, glm::dvec3 normal) {
 	if (_chains.empty()) { // touched by the plane, not cut
 		_builder.add_face(geometry, face);
 		return;

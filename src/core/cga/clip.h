@@ -55,12 +55,13 @@ private:
 	void measure_uv(const Geometry &geometry, double at, bool keeps_above);
 	bool is_cut(bool &is_whole) const;
 	void clip_face(const Geometry &geometry, const GeometryFace &face);
+	bool clip_simple(const Geometry &geometry, const GeometryFace &face, glm::dvec3 normal);
 	double place_on_cut(glm::dvec3 point, const CornerOrigin &origin) const;
 	void collect_chains(const Geometry &geometry, uint32_t loop, bool is_outline);
 	glm::dvec3 cut_point(const Geometry &geometry, uint32_t a, uint32_t b, CornerOrigin &origin) const;
 	void add_chain_point(glm::dvec3 point, CornerOrigin origin);
 	void pair_chains();
-	void emit_pieces(const Geometry &geometry, const GeometryFace &face);
+	void emit_pieces(const Geometry &geometry, const GeometryFace &face, glm::dvec3 normal);
 	void emit_outline(uint32_t chain);
 	void add_holes(const Geometry &geometry, const std::vector<glm::dvec3> &outline, glm::dvec3 normal);
 	bool add_caps(const Plane &plane);

@@ -186,12 +186,46 @@ std::vector<ComponentInfo> holes(const Geometry &geometry) {
 }
 
 // Points closer than `flat` to the plane z = 0 are put into it: a plane face is exactly plane in its own scope.
+glm::dvec3 in_frame(glm::dvec3 point, const Frame &frame, double flat) {
+	glm::dvec3 local = frame.to_local(point);
+	local.z = std::abs(local.z) <= flat ? 0.0 : local.z;
+	return local;
+}
+
+// What the corners of a face carry, which lie side by side in its geometry.
+const CornerData *corners_from(const CornerData &source, uint32_t first, Arena &arena) {
+	CornerData *result = arena.make(source);
+	for (const glm::dvec2 *&uvs : result->uvs) {
+		uvs = uvs != nullptr ? uvs + first : nullptr;
+	}
+	return result;
+}
+
+// One face without holes and smooth corners. nullptr where corners fall together, which the builder sees to.
+const Geometry *outline_in_frame(const Geometry &geometry, const GeometryFace &face, const Frame &frame, double flat, Arena &arena) {
+	const auto outline = geometry.outline(face);
+	glm::dvec3 *points = arena.allocate<glm::dvec3>(outline.size());
+	bool is_clear = outline.size() >= 3;
+	for (size_t i = 0; i < outline.size(); ++i) {
+		points[i] = in_frame(outline[i], frame, flat);
+		is_clear &= i == 0 || points[i] != points[i - 1];
+	}
+	if (!is_clear || points[0] == points[outline.size() - 1]) {
+		return nullptr;
+	}
+	const Geometry *polygon = make_polygon({ points, outline.size() }, face.tag, face.material, arena);
+	if (geometry.corners == nullptr) {
+		return polygon;
+	}
+	Geometry *result = arena.make(*polygon);
+	result->corners = corners_from(*geometry.corners, geometry.first_point(face.first_loop), arena);
+	return result;
+}
+
 void add_points(GeometryBuilder &builder, const Geometry &geometry, const GeometryFace &face, const Frame &frame, double flat) {
 	for (uint32_t l = face.first_loop; l < face.first_loop + face.loop_count; ++l) {
 		for (uint32_t i = geometry.first_point(l); i < geometry.loop_ends[l]; ++i) {
-			glm::dvec3 local = frame.to_local(geometry.points[i]);
-			local.z = std::abs(local.z) <= flat ? 0.0 : local.z;
-			builder.add_corner(local, i);
+			builder.add_corner(in_frame(geometry.points[i], frame, flat), i);
 		}
 		builder.end_loop();
 	}
@@ -260,6 +294,13 @@ Shape face_shape(const Shape &parent, const Geometry &geometry, std::span<const 
 	}
 	const glm::dvec3 extent = geometry.high - geometry.low;
 	const double flat = 1e-9 * (extent.x + extent.y + extent.z);
+	const bool is_smooth = geometry.corners != nullptr && geometry.corners->normals != nullptr;
+	if (faces.size() == 1 && first.loop_count == 1 && !is_smooth) {
+		if (const Geometry *face = outline_in_frame(geometry, first, frame, flat, arena)) {
+			set_geometry(shape, face);
+			return shape;
+		}
+	}
 	builder.begin(geometry, glm::transpose(frame.axes));
 	for (const uint32_t face : faces) {
 		add_points(builder, geometry, geometry.faces[face], frame, flat);

@@ -183,6 +183,10 @@ void Context::run_rules(RuleId start) {
 		if (!run_rule(pending)) {
 			return;
 		}
+		if (_children.empty()) {
+			arena.release(mark);
+			continue;
+		}
 		_stack.push_back({ RuleId::Invalid, nullptr, nullptr, 0, mark });
 		_stack.insert(_stack.end(), _children.rbegin(), _children.rend());
 	}
@@ -195,14 +199,13 @@ bool Context::run_rule(const Pending &pending) {
 	if (!count_shape()) {
 		return false;
 	}
-	Shape start = *pending.shape;
 	const std::string_view tag = _object_tags[index_of(pending.rule)];
 	if (!tag.empty()) {
-		start.object = model.begin_object(tag, start);
+		pending.shape->object = model.begin_object(tag, *pending.shape);
 	}
-	make_current(start);
-	_body = { Random(start.seed), 0, false };
-	_saved.push_back(&start);
+	make_current(*pending.shape);
+	_body = { Random(shape.seed), 0, false };
+	_saved.push_back(pending.shape);
 	const RunState state = vm.call(pending.rule, { pending.args, pending.arg_count });
 	_saved.pop_back();
 	if (!_body.is_replaced) {
@@ -236,7 +239,7 @@ bool Context::is_interrupted() {
 	return _is_stopped;
 }
 
-bool Context::count_shape() {
+bool Context::check_limits() {
 	const DeriveLimits &limits = _options.limits;
 	DerivationResult &result = model.result();
 	if ((result.shape_count & 63) == 63 && is_interrupted()) {
@@ -272,19 +275,19 @@ Flow Context::call_rule(Vm &, RuleId rule, std::span<const Value> args) {
 	if (_program.rules[index_of(rule)].is_leaf_symbol) {
 		return call_leaf();
 	}
-	Shape child = shape;
+	Shape *child = arena.make(shape);
 	if (surroundings.is_active()) {
-		child.tree = surroundings.child(shape.tree, _body.child_count);
+		child->tree = surroundings.child(shape.tree, _body.child_count);
 	}
-	child.seed = derive_seed(shape.seed, _body.child_count++);
-	child.depth = shape.depth + 1;
-	child.key = arena.make(KeyNode{ shape.key, _successor_count++ });
-	if (child.depth > _options.limits.max_depth) {
+	child->seed = derive_seed(shape.seed, _body.child_count++);
+	child->depth = shape.depth + 1;
+	child->key = arena.make(KeyNode{ shape.key, _successor_count++ });
+	if (child->depth > _options.limits.max_depth) {
 		vm.fail("too-deep", "rules call each other more than " + std::to_string(_options.limits.max_depth) + " levels deep",
 				"end the recursion with a case, or raise the limit");
 		return Flow::Stop;
 	}
-	_children.push_back({ rule, arena.make(child), arena.copy(args.data(), args.size()), uint32_t(args.size()), {} });
+	_children.push_back({ rule, child, arena.copy(args.data(), args.size()), uint32_t(args.size()), {} });
 	return Flow::Next;
 }
 
@@ -315,31 +318,31 @@ void Context::pop_group(Vm &) {
 	_saved.pop_back();
 }
 
-Flow Context::run_child(const Shape &child, Chunk body) {
-	mark_replaced();
-	if (!count_shape()) {
+Flow Context::Children::run(const Shape &child, Chunk body) {
+	_body.is_replaced = true;
+	if (!_context.count_shape()) {
 		return Flow::Stop;
 	}
-	const Shape outer = shape;
-	const Body outer_body = _body;
-	const uint64_t seed = derive_seed(outer.seed, outer_body.child_count);
-	make_current(child);
-	shape.seed = seed;
-	if (surroundings.is_active()) {
-		shape.tree = surroundings.child(outer.tree, outer_body.child_count);
+	Shape &shape = _context.shape;
+	_context.make_current(child);
+	shape.seed = derive_seed(_parent.seed, _body.child_count);
+	if (_context.surroundings.is_active()) {
+		shape.tree = _context.surroundings.child(_parent.tree, _body.child_count);
 	}
-	_body = { Random(seed), 0, false };
-	_saved.push_back(&child);
-	const Flow flow = vm.run_body(body);
-	_saved.pop_back();
-	if (!_body.is_replaced) {
-		++_successor_count;
-		add_leaf(shape);
+	_context._body = { Random(shape.seed), 0, false };
+	_context._saved.push_back(&child);
+	const Flow flow = _context.vm.run_body(body);
+	_context._saved.pop_back();
+	if (!_context._body.is_replaced) {
+		++_context._successor_count;
+		_context.add_leaf(shape);
 	}
-	make_current(outer);
-	_body = outer_body;
 	++_body.child_count;
 	return flow;
+}
+
+Flow Context::run_child(const Shape &child, Chunk body) {
+	return Children(*this).run(child, body);
 }
 
 Value Context::evaluate_on(const Shape &other, Chunk chunk) {

@@ -38,6 +38,7 @@ public:
 	static Context &of(Vm &vm) { return static_cast<Context &>(vm.host()); }
 	Shape shape; // the current one
 	Arena arena;
+	Arena scratch; // for an ArenaScope
 	GeometryBuilder builder;
 	Clipper clipper;
 	ModelBuilder model;
@@ -62,7 +63,10 @@ public:
 	bool selects(Selector selector) const { return matches(selector, *_selection.component, *_selection.whole, _lot); }
 	bool is_paper_rule() const; // the running rule was written with `->`
 
-	// Runs a body on a shape of its own, which is a leaf if the body makes nothing of it. Afterwards the current shape is as before.
+	// Runs bodies on shapes of their own, each of which is a leaf if its body makes nothing of it. At its end the current shape is as it was at its
+	// beginning; in between it is that of the body that ran last.
+	class Children;
+	// One of them.
 	Flow run_child(const Shape &child, Chunk body);
 	Value evaluate_on(const Shape &other, Chunk chunk);
 	// Of a selector's expression: words such as `top` in it ask for the component.
@@ -106,7 +110,7 @@ private:
 	// A shape that waits for its rule; `rule` Invalid: the place where the memory of a finished branch is given back.
 	struct Pending {
 		RuleId rule = RuleId::Invalid;
-		const Shape *shape = nullptr;
+		Shape *shape = nullptr;
 		const Value *args = nullptr;
 		uint32_t arg_count = 0;
 		Arena::Mark mark;
@@ -125,7 +129,16 @@ private:
 	void merge(std::span<const Shape> leaves);
 	Flow call_leaf();
 	void add_leaf(const Shape &leaf);
-	bool count_shape(); // false: there are too many
+	// False: there are too many, or the derivation was stopped.
+	bool count_shape() {
+		const DerivationResult &result = model.result();
+		if (result.shape_count < _options.limits.max_shapes && result.face_count <= _options.limits.max_faces && (result.shape_count & 63) != 63) [[likely]] {
+			++model.result().shape_count;
+			return true;
+		}
+		return check_limits();
+	}
+	bool check_limits();
 
 	const Program &_program;
 	DeriveOptions _options;
@@ -145,6 +158,25 @@ private:
 	uint32_t _successor_count = 0; // of the running rule
 	std::vector<Shape> *_collected = nullptr; // leaves that inline takes
 	bool _is_stopped = false; // a limit was met
+};
+
+class Context::Children {
+public:
+	explicit Children(Context &context) : _context(context), _parent(context.shape), _body(context._body) {}
+	~Children() {
+		_context.make_current(_parent);
+		_context._body = _body;
+	}
+	Children(const Children &) = delete;
+	Children &operator=(const Children &) = delete;
+
+	const Shape &parent() const { return _parent; }
+	Flow run(const Shape &child, Chunk body);
+
+private:
+	Context &_context;
+	const Shape _parent;
+	Body _body; // of the parent
 };
 
 } // namespace pcg::cga

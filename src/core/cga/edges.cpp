@@ -23,9 +23,19 @@ std::vector<FaceEdge> face_edges(const Geometry &geometry) {
 }
 
 std::vector<FaceEdge> grouped_edges(const Geometry &geometry) {
-	std::vector<FaceEdge> edges = face_edges(geometry);
-	std::ranges::stable_sort(edges, {}, &FaceEdge::key);
-	return edges;
+	const std::vector<FaceEdge> edges = face_edges(geometry);
+	std::vector<std::pair<decltype(FaceEdge().key()), uint32_t>> keys; // with the place before sorting
+	keys.reserve(edges.size());
+	for (const FaceEdge &edge : edges) {
+		keys.push_back({ edge.key(), uint32_t(keys.size()) });
+	}
+	std::ranges::sort(keys);
+	std::vector<FaceEdge> grouped;
+	grouped.reserve(edges.size());
+	for (const auto &[key, edge] : keys) {
+		grouped.push_back(edges[edge]);
+	}
+	return grouped;
 }
 
 } // namespace pcg::cga

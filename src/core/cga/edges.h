@@ -23,6 +23,7 @@ struct FaceEdge {
 		const auto a = key_of(from), b = key_of(to);
 		return a < b ? std::pair(a, b) : std::pair(b, a);
 	}
+	bool has_ends_of(const FaceEdge &other) const { return (from == other.from && to == other.to) || (from == other.to && to == other.from); }
 };
 
 // Face by face, loop by loop. An edge without faces (two corners) is there once, points are there as edges without length.
@@ -33,7 +34,7 @@ std::vector<FaceEdge> grouped_edges(const Geometry &geometry);
 template <typename Use> void for_each_edge_group(const std::vector<FaceEdge> &grouped, Use use) {
 	for (size_t i = 0; i < grouped.size();) {
 		size_t end = i + 1;
-		while (end < grouped.size() && grouped[end].key() == grouped[i].key()) {
+		while (end < grouped.size() && grouped[end].has_ends_of(grouped[i])) {
 			++end;
 		}
 		use(std::span(grouped).subspan(i, end - i));

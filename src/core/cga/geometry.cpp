@@ -11,8 +11,7 @@ namespace pcg::cga {
 
 namespace {
 
-bool is_at_bounds(glm::dvec3 point, const Geometry &geometry) {
-	const glm::dvec3 margin = 1e-9 * (geometry.high - geometry.low);
+bool is_at_bounds(glm::dvec3 point, const Geometry &geometry, glm::dvec3 margin) {
 	for (int axis = 0; axis < 3; ++axis) {
 		const bool is_low = point[axis] - geometry.low[axis] <= margin[axis];
 		const bool is_high = geometry.high[axis] - point[axis] <= margin[axis];
@@ -30,12 +29,21 @@ bool detect_block(const Geometry &geometry) {
 	if (is_smooth || geometry.loop_count != geometry.face_count || (!is_box && !is_rectangle)) {
 		return false;
 	}
+	const glm::dvec3 margin = 1e-9 * (geometry.high - geometry.low);
 	for (uint32_t i = 0; i < geometry.point_count; ++i) {
-		if (!is_at_bounds(geometry.points[i], geometry)) {
+		if (!is_at_bounds(geometry.points[i], geometry, margin)) {
 			return false;
 		}
 	}
 	return true;
+}
+
+void set_bounds(Geometry &geometry) {
+	geometry.low = geometry.high = geometry.points[0];
+	for (uint32_t i = 1; i < geometry.point_count; ++i) {
+		geometry.low = glm::min(geometry.low, geometry.points[i]);
+		geometry.high = glm::max(geometry.high, geometry.points[i]);
+	}
 }
 
 } // namespace
@@ -158,14 +166,22 @@ const Geometry *GeometryBuilder::finish(Arena &arena, bool is_closed) const {
 	geometry.loop_count = uint32_t(_loop_ends.size());
 	geometry.face_count = uint32_t(_faces.size());
 	geometry.is_closed = is_closed;
-	geometry.low = geometry.high = _points.front();
-	for (const glm::dvec3 &point : _points) {
-		geometry.low = glm::min(geometry.low, point);
-		geometry.high = glm::max(geometry.high, point);
-	}
+	set_bounds(geometry);
 	if (!_origins.empty()) {
 		geometry.corners = carry_corner_data(*_source, _points, _origins, _turn, arena);
 	}
+	geometry.is_block = detect_block(geometry);
+	return arena.make(geometry);
+}
+
+const Geometry *make_polygon(std::span<const glm::dvec3> points, FaceTag tag, uint16_t material, Arena &arena) {
+	Geometry geometry;
+	geometry.points = points.data();
+	geometry.point_count = uint32_t(points.size());
+	geometry.loop_ends = arena.make(geometry.point_count);
+	geometry.faces = arena.make(GeometryFace{ 0, 1, tag, material });
+	geometry.loop_count = geometry.face_count = 1;
+	set_bounds(geometry);
 	geometry.is_block = detect_block(geometry);
 	return arena.make(geometry);
 }
@@ -183,7 +199,7 @@ const Geometry *with_uvs(const Geometry &geometry, size_t set, const glm::dvec2 
 	}
 	Geometry *result = arena.make(geometry);
 	result->corners = is_empty ? nullptr : corners;
-	result->is_block = detect_block(*result);
+	result->is_block = geometry.is_block || detect_block(*result);
 	return result;
 }
 

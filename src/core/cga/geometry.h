@@ -125,6 +125,9 @@ private:
 	glm::dmat3 _turn{ 1.0 };
 };
 
+// One face without holes and without corner data. The points lie in the arena, and neighbours differ.
+const Geometry *make_polygon(std::span<const glm::dvec3> points, FaceTag tag, uint16_t material, Arena &arena);
+
 // Newell normal of the face's outline, unit.
 glm::dvec3 face_normal(const Geometry &geometry, const GeometryFace &face);
 

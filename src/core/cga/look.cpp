@@ -1,41 +1,33 @@
 #include "core/cga/look.h"
 
-#include <bit>
-
-#include "core/base/random.h"
+#include <cstring>
 
 namespace pcg::cga {
 
 namespace {
 
 bool has_same_textures(const Look &a, const Look &b) {
-	if (a.textures == b.textures) {
-		return true;
-	}
-	for (size_t i = 0; i < texture_use_count; ++i) {
-		if (a.texture(TextureUse(i)) != b.texture(TextureUse(i))) {
-			return false;
-		}
-	}
-	return true;
+	static constexpr TextureSlots nothing;
+	static_assert(sizeof(TextureSlots) == texture_use_count * 7 * sizeof(float));
+	const TextureSlots &of_a = a.textures != nullptr ? *a.textures : nothing, &of_b = b.textures != nullptr ? *b.textures : nothing;
+	return &of_a == &of_b || std::memcmp(&of_a, &of_b, sizeof(TextureSlots)) == 0;
 }
 
 } // namespace
 
 bool is_same(const Look &a, const Look &b) {
-	return a.color == b.color && a.parts == b.parts && a.ambient == b.ambient && a.specular == b.specular && a.emissive == b.emissive &&
-			a.shininess == b.shininess && a.reflectivity == b.reflectivity && a.bump_value == b.bump_value && a.metallic == b.metallic &&
-			a.roughness == b.roughness && a.name == b.name && a.shader == b.shader && a.is_double_sided == b.is_double_sided && has_same_textures(a, b);
+	return std::memcmp(&a, &b, offsetof(Look, is_double_sided)) == 0 && a.is_double_sided == b.is_double_sided && has_same_textures(a, b);
 }
 
-// Of what differs most often.
 uint64_t hash_of(const Look &look) {
-	uint64_t result = look.parts;
-	for (const float value : { look.color.r, look.color.g, look.color.b, look.color.a, look.roughness, look.metallic }) {
-		result = derive_seed(result, std::bit_cast<uint32_t>(value));
+	uint64_t words[(offsetof(Look, is_double_sided) + 7) / 8] = {};
+	std::memcpy(words, &look, offsetof(Look, is_double_sided));
+	uint64_t result = (uint64_t(look.texture(TextureUse::Dirt).file) << 32) | look.texture(TextureUse::Color).file;
+	for (const uint64_t word : words) {
+		result = (result ^ word) * 0x9E3779B97F4A7C15ull;
+		result ^= result >> 32;
 	}
-	result = derive_seed(result, (uint64_t(look.name) << 32) | look.texture(TextureUse::Color).file);
-	return derive_seed(result, look.texture(TextureUse::Dirt).file);
+	return result;
 }
 
 } // namespace pcg::cga

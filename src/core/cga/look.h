@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include <glm/vec3.hpp>
@@ -55,8 +56,8 @@ struct Look {
 	float metallic = 0.0f;
 	float roughness = 1.0f;
 	uint32_t name = 0, shader = 0;
-	bool is_double_sided = true;
 	uint32_t parts = 0; // set by rules
+	bool is_double_sided = true;
 	const TextureSlots *textures = nullptr; // nullptr: none
 
 	const TextureSlot &texture(TextureUse use) const {
@@ -65,6 +66,8 @@ struct Look {
 	}
 	void mark(LookPart part) { parts |= bit_of(part); }
 };
+
+static_assert(offsetof(Look, is_double_sided) == 21 * sizeof(float)); // is_same() compares what stands in front of it as bytes
 
 // By what they say, wherever their textures lie.
 bool is_same(const Look &a, const Look &b);

@@ -1,6 +1,7 @@
 #include "core/cga/material_table.h"
 
 #include <algorithm>
+#include <bit>
 #include <string>
 
 #include "core/base/random.h"
@@ -15,6 +16,18 @@ glm::vec4 mixed_color(const Material &asset, const Look &look) {
 	return { color.r, color.g, color.b, opacity.a };
 }
 
+// Of what differs most often. Equal materials have equal hashes: -0 is 0.
+uint64_t hash_of(const Material &material) {
+	uint64_t result = hash_text(material.name);
+	for (const float value : { material.color.r, material.color.g, material.color.b, material.color.a, material.roughness, material.metallic }) {
+		result = derive_seed(result, std::bit_cast<uint32_t>(value + 0.0f));
+	}
+	for (const TextureMap &map : material.maps) {
+		result = derive_seed(result, hash_text(map.file));
+	}
+	return result;
+}
+
 void set_map(std::vector<TextureMap> &maps, TextureUse use, const TextureSlot &slot, std::string_view file) {
 	std::erase_if(maps, [&](const TextureMap &map) { return map.use == use; });
 	if (!file.empty()) {
@@ -27,8 +40,10 @@ void set_map(std::vector<TextureMap> &maps, TextureUse use, const TextureSlot &s
 
 void MaterialTable::begin() {
 	_materials.clear();
+	_index_of_materials.clear();
 	_known.clear();
-	_known_of_hash.clear();
+	_known_textures.clear();
+	_index_of_known.clear();
 	_last = 0;
 }
 
@@ -46,30 +61,26 @@ uint32_t MaterialTable::index_of(const Look &look, uint16_t asset_material) {
 		return _known[_last].material;
 	}
 	const uint64_t hash = derive_seed(hash_of(look), asset_material);
-	const auto [first, end] = _known_of_hash.equal_range(hash);
-	for (auto entry = first; entry != end; ++entry) {
-		if (is(_known[entry->second], look, asset_material)) {
-			_last = entry->second;
-			return _known[_last].material;
+	_last = _index_of_known.find(hash, [&](uint32_t known) { return is(_known[known], look, asset_material); });
+	if (_last == HashIndex::none) {
+		_last = _index_of_known.add(hash);
+		_known.push_back({ look, asset_material, add(make(look, asset_material)) });
+		if (look.textures != nullptr) {
+			_known.back().look.textures = &_known_textures.emplace_back(*look.textures);
 		}
 	}
-	_last = uint32_t(_known.size());
-	_known_of_hash.emplace(hash, _last);
-	_known.push_back({ look, look.textures != nullptr ? *look.textures : TextureSlots(), asset_material, add(make(look, asset_material)) });
-	_known.back().look.textures = look.textures != nullptr ? &_known.back().textures : nullptr;
-	return _known.back().material;
+	return _known[_last].material;
 }
 
-// Looks that differ only in what set them give one material; there are few where it matters.
+// Looks that differ only in what set them give one material.
 uint32_t MaterialTable::add(Material material) {
-	constexpr size_t most_compared = 64;
-	const size_t first = _materials.size() > most_compared ? _materials.size() - most_compared : 0;
-	const auto found = std::find(_materials.begin() + std::ptrdiff_t(first), _materials.end(), material);
-	if (found != _materials.end()) {
-		return uint32_t(found - _materials.begin());
+	const uint64_t hash = hash_of(material);
+	uint32_t index = _index_of_materials.find(hash, [&](uint32_t known) { return _materials[known] == material; });
+	if (index == HashIndex::none) {
+		index = _index_of_materials.add(hash);
+		_materials.push_back(std::move(material));
 	}
-	_materials.push_back(std::move(material));
-	return uint32_t(_materials.size()) - 1;
+	return index;
 }
 
 Material MaterialTable::make(const Look &look, uint16_t asset_material) const {

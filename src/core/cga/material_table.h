@@ -2,9 +2,9 @@
 
 #include <cstdint>
 #include <deque>
-#include <unordered_map>
 #include <vector>
 
+#include "core/base/hash_index.h"
 #include "core/cga/look.h"
 #include "core/cga/text_pool.h"
 #include "core/geometry/material.h"
@@ -29,7 +29,6 @@ public:
 private:
 	struct Known {
 		Look look;
-		TextureSlots textures;
 		uint16_t asset_material = 0;
 		uint32_t material = 0;
 	};
@@ -43,8 +42,10 @@ private:
 	TextPool _texts;
 	std::vector<Material> _materials;
 	std::vector<Material> _asset_materials;
-	std::deque<Known> _known; // textures of looks point into it
-	std::unordered_multimap<uint64_t, uint32_t> _known_of_hash;
+	HashIndex _index_of_materials;
+	std::vector<Known> _known;
+	std::deque<TextureSlots> _known_textures; // the known looks point into it
+	HashIndex _index_of_known;
 	uint32_t _last = 0; // in _known
 };
 

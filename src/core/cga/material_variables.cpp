@@ -106,6 +106,13 @@ bool write_double_sided(Context &context, const Value &value) {
 
 // --- Maps
 
+// A copy of the look's textures, to be changed.
+TextureSlots &own_textures(Context &context, Look &look) {
+	TextureSlots *slots = look.textures != nullptr ? context.arena.copy(look.textures, 1) : context.arena.make(TextureSlots());
+	look.textures = slots;
+	return *slots;
+}
+
 constexpr std::array<std::string_view, texture_use_count> map_names = { "colormap", "bumpmap", "dirtmap", "specularmap", "opacitymap", "normalmap",
 	"emissivemap", "occlusionmap", "roughnessmap", "metallicmap" };
 
@@ -136,7 +143,7 @@ template <size_t use, size_t field> bool write_map_field(Context &context, const
 	if (!value.is_number()) {
 		return false;
 	}
-	own_textures(context).slots[use].*map_fields[field].member = float(context.finite(value));
+	own_textures(context, context.own_look()).slots[use].*map_fields[field].member = float(context.finite(value));
 	return true;
 }
 
@@ -203,18 +210,12 @@ bool write_material_variable(Vm &vm, uint32_t index, const Value &value) {
 	return index < all_rows().size() && all_rows()[index].write(Context::of(vm), value);
 }
 
-TextureSlots &own_textures(Context &context) {
-	Look &look = context.own_look();
-	TextureSlots *slots = context.arena.make(look.textures != nullptr ? *look.textures : TextureSlots());
-	look.textures = slots;
-	return *slots;
-}
-
 void set_texture(Context &context, TextureUse use, const Text &name) {
-	TextureSlot &slot = own_textures(context).slots[size_t(use)];
+	Look &look = context.own_look();
+	look.parts |= bit_of(use);
+	TextureSlot &slot = own_textures(context, look).slots[size_t(use)];
 	slot.file = context.model.materials().texts().intern(name);
 	slot.path = context.texture_files.find(context, name).path;
-	context.own_look().parts |= bit_of(use);
 }
 
 } // namespace pcg::cga

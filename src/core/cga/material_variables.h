@@ -13,8 +13,6 @@ void add_material_variables(Dialect &dialect);
 // Of set(): `index` counts from the first of these variables. False if the value is not one for it.
 bool write_material_variable(Vm &vm, uint32_t index, const Value &value);
 
-// A copy of the current shape's textures, to be changed.
-TextureSlots &own_textures(Context &context);
 // An empty name takes the map away.
 void set_texture(Context &context, TextureUse use, const Text &name);
 

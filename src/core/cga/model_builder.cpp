@@ -54,8 +54,15 @@ std::vector<Bounds> bounds_of_objects(const DerivationResult &model) {
 // Corners that were added without a coordinate take that of set 0: there a map looks whose own set is missing.
 void complete_uvs(Mesh &mesh, size_t set, size_t corner_count) {
 	std::vector<glm::vec2> &uvs = mesh.uvs[set];
-	while (uvs.size() < corner_count) {
-		uvs.push_back(uvs.size() < mesh.uvs[0].size() && set > 0 ? mesh.uvs[0][uvs.size()] : glm::vec2(0.0f));
+	const std::vector<glm::vec2> &base = mesh.uvs[0];
+	const size_t first = uvs.size();
+	if (first >= corner_count) {
+		return;
+	}
+	uvs.resize(corner_count, glm::vec2(0.0f));
+	const size_t end = set > 0 ? std::min(base.size(), corner_count) : first;
+	if (first < end) {
+		std::copy(base.begin() + std::ptrdiff_t(first), base.begin() + std::ptrdiff_t(end), uvs.begin() + std::ptrdiff_t(first));
 	}
 }
 
@@ -84,9 +91,13 @@ void complete_normals(Mesh &mesh, size_t corner_count) {
 void ModelBuilder::begin(const Lot &lot) {
 	_lot = lot;
 	_result = DerivationResult();
+	_result.mesh.positions.reserve(_expected.positions);
+	_result.mesh.loop_ends.reserve(_expected.loops);
+	_result.mesh.faces.reserve(_expected.faces);
 	_object_frames.clear();
 	_materials.begin();
 	_instances.begin();
+	++_model;
 }
 
 DerivationResult ModelBuilder::take() {
@@ -101,7 +112,19 @@ DerivationResult ModelBuilder::take() {
 			add_default_places(_result.objects[i], _object_frames[i], bounds[i].low, bounds[i].high);
 		}
 	}
+	_expected = { _result.mesh.positions.size(), _result.mesh.loop_ends.size(), _result.mesh.faces.size() };
 	return std::move(_result);
+}
+
+// Of the leaf's scope in the mesh that it goes to.
+Frame ModelBuilder::target_frame(const Shape &shape) const {
+	Frame frame = shape.frame();
+	if (shape.object < 0) {
+		frame.origin += _lot.origin;
+		return frame;
+	}
+	const Frame &object = _object_frames[size_t(shape.object)];
+	return { glm::transpose(object.axes) * frame.axes, object.to_local(frame.origin) };
 }
 
 void ModelBuilder::add_leaf(const Shape &shape) {
@@ -109,13 +132,7 @@ void ModelBuilder::add_leaf(const Shape &shape) {
 	if (shape.geometry == nullptr) {
 		return;
 	}
-	Frame frame = shape.frame();
-	if (shape.object < 0) {
-		frame.origin += _lot.origin;
-	} else {
-		const Frame &object = _object_frames[size_t(shape.object)];
-		frame = Frame{ glm::transpose(object.axes) * frame.axes, object.to_local(frame.origin) };
-	}
+	const Frame frame = target_frame(shape);
 	if (shape.geometry->is_instance && _instances.add(shape, frame, _materials, _result)) {
 		return;
 	}
@@ -125,11 +142,20 @@ void ModelBuilder::add_leaf(const Shape &shape) {
 
 template <typename MaterialOf> void ModelBuilder::add_faces(Mesh &mesh, const Shape &shape, const Frame &to_target, MaterialOf material_of) {
 	const Geometry &geometry = *shape.geometry;
+	if (_points.size() < geometry.point_count) {
+		_points.resize(geometry.point_count);
+	}
+	for (uint32_t i = 0; i < geometry.point_count; ++i) {
+		_points[i] = to_target.to_parent(shape.to_scope(geometry.points[i]));
+	}
+	uint32_t material = 0;
 	for (uint32_t i = 0; i < geometry.face_count; ++i) {
 		const GeometryFace &face = geometry.faces[i];
-		const uint32_t material = material_of(face.material);
-		if (add_face(mesh, geometry, face, shape, to_target, material) && (geometry.corners != nullptr || !mesh.normals.empty())) {
-			add_corner_data(mesh, geometry, geometry.first_point(face.first_loop), to_target.axes * normal_matrix(shape));
+		if (i == 0 || face.material != geometry.faces[i - 1].material) {
+			material = material_of(face.material);
+		}
+		if (add_face(mesh, geometry, face, material) && (geometry.corners != nullptr || !mesh.normals.empty())) {
+			add_corner_data(mesh, shape, face, to_target);
 		}
 	}
 }
@@ -156,17 +182,20 @@ Mesh ModelBuilder::make_shown(const Geometry &geometry, const glm::dmat3 &turn) 
 	return mesh;
 }
 
-// Of the face added last, whose corners in the geometry begin at `first`.
-void ModelBuilder::add_corner_data(Mesh &mesh, const Geometry &geometry, uint32_t first, const glm::dmat3 &turn) {
-	const glm::vec3 face_normal = mesh.faces.back().normal;
-	const size_t count = _points.size(), corner = mesh.positions.size() - count;
+// Of the face added last.
+void ModelBuilder::add_corner_data(Mesh &mesh, const Shape &shape, const GeometryFace &face, const Frame &to_target) {
+	const Geometry &geometry = *shape.geometry;
+	const size_t first = geometry.first_point(face.first_loop), count = geometry.face_point_count(face);
+	const size_t corner = mesh.positions.size() - count;
 	const glm::dvec2 *base = geometry.uvs(0);
 	for (size_t set = 0; geometry.corners != nullptr && set < uv_set_count; ++set) {
 		if (const glm::dvec2 *uvs = geometry.uvs(set)) {
 			complete_uvs(mesh, set, corner);
-			for (size_t i = first; i < first + count; ++i) {
-				const glm::dvec2 uv = has_uv(uvs[i]) || base == nullptr ? uvs[i] : base[i];
-				mesh.uvs[set].push_back(has_uv(uv) ? glm::vec2(uv) : glm::vec2(0.0f));
+			mesh.uvs[set].resize(corner + count);
+			glm::vec2 *target = mesh.uvs[set].data() + corner;
+			for (size_t i = 0; i < count; ++i) {
+				const glm::dvec2 uv = has_uv(uvs[first + i]) || base == nullptr ? uvs[first + i] : base[first + i];
+				target[i] = has_uv(uv) ? glm::vec2(uv) : glm::vec2(0.0f);
 			}
 		}
 	}
@@ -175,6 +204,8 @@ void ModelBuilder::add_corner_data(Mesh &mesh, const Geometry &geometry, uint32_
 		return;
 	}
 	complete_normals(mesh, corner);
+	const glm::vec3 face_normal = mesh.faces.back().normal;
+	const glm::dmat3 turn = to_target.axes * normal_matrix(shape);
 	for (size_t i = first; i < first + count; ++i) {
 		const glm::dvec3 normal = normals != nullptr ? turn * normals[i] : glm::dvec3(0.0);
 		const double length = glm::length(normal);
@@ -182,22 +213,20 @@ void ModelBuilder::add_corner_data(Mesh &mesh, const Geometry &geometry, uint32_
 	}
 }
 
-// False: it has no area.
-bool ModelBuilder::add_face(Mesh &mesh, const Geometry &geometry, const GeometryFace &face, const Shape &shape, const Frame &to_target, uint32_t material) {
-	_points.clear();
-	const uint32_t first = geometry.first_point(face.first_loop);
-	const uint32_t outline_size = uint32_t(geometry.outline(face).size());
-	for (uint32_t i = 0; i < geometry.face_point_count(face); ++i) {
-		_points.push_back(to_target.to_parent(shape.to_scope(geometry.points[first + i])));
-	}
-	const glm::dvec3 area = area_vector(std::span(_points).first(outline_size));
+// Of the present leaf. False: it has no area.
+bool ModelBuilder::add_face(Mesh &mesh, const Geometry &geometry, const GeometryFace &face, uint32_t material) {
+	const uint32_t first = geometry.first_point(face.first_loop), end = geometry.loop_ends[face.first_loop + face.loop_count - 1];
+	const glm::dvec3 area = area_vector(std::span(_points).subspan(first, geometry.loop_ends[face.first_loop] - first));
 	const double size = glm::length(area);
 	if (!(size > least_face_size) || !std::isfinite(size)) { // edges, points and what was flattened away
 		return false;
 	}
-	const uint32_t first_loop = uint32_t(mesh.loop_ends.size());
-	const uint32_t corner = uint32_t(mesh.positions.size());
-	mesh.positions.insert(mesh.positions.end(), _points.begin(), _points.end());
+	const uint32_t first_loop = uint32_t(mesh.loop_ends.size()), corner = uint32_t(mesh.positions.size());
+	mesh.positions.resize(corner + (end - first));
+	glm::vec3 *target = mesh.positions.data() + corner;
+	for (uint32_t i = first; i < end; ++i) {
+		*target++ = glm::vec3(_points[i]);
+	}
 	for (uint32_t i = 0; i < face.loop_count; ++i) {
 		mesh.loop_ends.push_back(corner + geometry.loop_ends[face.first_loop + i] - first);
 	}
@@ -266,16 +295,31 @@ void ModelBuilder::add_default_places(ModelObject &object, const Frame &frame, g
 	}
 }
 
-void ModelBuilder::add_report(std::string_view key, double value) {
-	auto found = std::ranges::find(_result.reports, key, &ModelReport::key);
+ModelReport &ModelBuilder::find_report(const Text &key, double value) {
+	const bool is_of_program = key.symbol != no_symbol;
+	if (is_of_program && key.symbol >= _report_places.size()) {
+		_report_places.resize(key.symbol + 1u);
+	}
+	if (is_of_program && _report_places[key.symbol].model == _model) {
+		return _result.reports[_report_places[key.symbol].index];
+	}
+	auto found = std::ranges::find(_result.reports, key.view, &ModelReport::key);
 	if (found == _result.reports.end()) {
-		_result.reports.push_back({ std::string(key), 0, 0.0, value, value });
+		_result.reports.push_back({ std::string(key.view), 0, 0.0, value, value });
 		found = _result.reports.end() - 1;
 	}
-	++found->count;
-	found->sum += value;
-	found->min = std::min(found->min, value);
-	found->max = std::max(found->max, value);
+	if (is_of_program) {
+		_report_places[key.symbol] = { _model, size_t(found - _result.reports.begin()) };
+	}
+	return *found;
+}
+
+void ModelBuilder::add_report(const Text &key, double value) {
+	ModelReport &report = find_report(key, value);
+	++report.count;
+	report.sum += value;
+	report.min = std::min(report.min, value);
+	report.max = std::max(report.max, value);
 }
 
 void ModelBuilder::add_print(std::string line) {

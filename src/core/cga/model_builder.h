@@ -8,6 +8,7 @@
 #include "core/cga/material_table.h"
 #include "core/cga/shape.h"
 #include "core/geometry/shared_mesh.h"
+#include "core/lang/value.h"
 
 namespace pcg::cga {
 
@@ -30,14 +31,26 @@ public:
 	// False: the shape belongs to no object.
 	bool add_place(const Shape &shape);
 	MaterialTable &materials() { return _materials; }
-	void add_report(std::string_view key, double value);
+	void add_report(const Text &key, double value);
 	void add_print(std::string line); // the first ten thousand are kept
 
 private:
-	bool add_face(Mesh &mesh, const Geometry &geometry, const GeometryFace &face, const Shape &shape, const Frame &to_target, uint32_t material);
+	// Of the mesh of the last model: the next one is likely to be as large.
+	struct MeshSize {
+		size_t positions = 0, loops = 0, faces = 0;
+	};
+	// Where the report of a text of the program stands, if the model has one.
+	struct ReportPlace {
+		uint64_t model = 0;
+		size_t index = 0;
+	};
+
+	Frame target_frame(const Shape &shape) const;
+	bool add_face(Mesh &mesh, const Geometry &geometry, const GeometryFace &face, uint32_t material);
 	template <typename MaterialOf> void add_faces(Mesh &mesh, const Shape &shape, const Frame &to_target, MaterialOf material_of);
 	Mesh make_shown(const Geometry &geometry, const glm::dmat3 &turn);
-	void add_corner_data(Mesh &mesh, const Geometry &geometry, uint32_t first, const glm::dmat3 &turn);
+	void add_corner_data(Mesh &mesh, const Shape &shape, const GeometryFace &face, const Frame &to_target);
+	ModelReport &find_report(const Text &key, double value);
 	// `low` and `high` bound the object in its frame.
 	void add_default_places(ModelObject &object, const Frame &frame, glm::dvec3 low, glm::dvec3 high);
 	glm::vec3 to_world(glm::dvec3 point) const { return glm::vec3(point + _lot.origin); }
@@ -47,7 +60,10 @@ private:
 	std::vector<Frame> _object_frames; // in the derivation's coordinates
 	MaterialTable _materials;
 	InstanceTable _instances;
-	std::vector<glm::dvec3> _points;
+	std::vector<glm::dvec3> _points; // of the present leaf, in the coordinates of its mesh
+	MeshSize _expected;
+	uint64_t _model = 0; // counts them
+	std::vector<ReportPlace> _report_places; // by symbol
 };
 
 } // namespace pcg::cga

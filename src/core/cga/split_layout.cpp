@@ -36,21 +36,24 @@ Sums sums_of(const SplitGroup &group, double length) {
 
 class Layouter {
 public:
-	Layouter(std::span<const SplitGroup> groups, double length, uint32_t max_parts)
-			: _groups(groups), _length(length), _max_parts(max_parts), _counts(groups.size(), 1u) {}
+	Layouter(std::span<const SplitGroup> groups, double length, uint32_t max_parts, Arena &arena)
+			: _groups(groups), _length(length), _max_parts(max_parts), _arena(arena), _counts(arena.allocate<uint32_t>(groups.size())),
+			  _sums(arena.allocate<Sums>(groups.size())) {}
 
 	SplitLayout run() {
-		for (const SplitGroup &group : _groups) {
-			_sums.push_back(sums_of(group, _length));
-			_repeats += group.is_repeated;
+		size_t repeats = 0, repeat = 0;
+		for (size_t i = 0; i < _groups.size(); ++i) {
+			_counts[i] = 1;
+			_sums[i] = sums_of(_groups[i], _length);
+			repeat = _groups[i].is_repeated && repeats++ == 0 ? i : repeat;
 		}
-		if (_repeats == 1) {
-			count_one(size_t(std::ranges::find(_groups, true, &SplitGroup::is_repeated) - _groups.begin()));
-		} else if (_repeats > 1) {
+		if (repeats == 1) {
+			count_one(repeat);
+		} else if (repeats > 1) {
 			count_several();
 		}
 		place();
-		return std::move(_layout);
+		return _layout;
 	}
 
 private:
@@ -140,7 +143,8 @@ private:
 		for (size_t i = 0; i < _groups.size(); ++i) {
 			parts += _counts[i] * _groups[i].sizes.size();
 		}
-		_layout.parts.reserve(std::min<size_t>(parts, 4096));
+		const double most = _length / least_part + 1.0; // of parts that are long enough
+		_layout.parts = { _arena.allocate<SplitPart>(double(parts) < most ? parts : size_t(most)), 0 };
 		_scale = sums.flexible > 0.0 ? left / sums.flexible : 0.0;
 		for (size_t i = 0; i < _groups.size(); ++i) {
 			const double limit = _groups[i].is_repeated ? std::min(_length, _at + _repeat_room) : _length;
@@ -161,7 +165,8 @@ private:
 				end = std::max(_at, limit);
 			}
 			if (end - _at > least_part) {
-				_layout.parts.push_back({ size.entry, _at, end });
+				_layout.parts = { _layout.parts.data(), _layout.parts.size() + 1 };
+				_layout.parts.back() = { size.entry, _at, end };
 			}
 			_at = end;
 		}
@@ -170,9 +175,9 @@ private:
 	std::span<const SplitGroup> _groups;
 	double _length;
 	uint32_t _max_parts;
-	SmallVector<uint32_t, 6> _counts;
-	SmallVector<Sums, 6> _sums;
-	size_t _repeats = 0;
+	Arena &_arena;
+	uint32_t *_counts; // by group
+	Sums *_sums;
 	double _repeat_room = 1e300; // what the repeated parts may fill
 	double _scale = 1.0;
 	double _at = 0.0;
@@ -181,8 +186,8 @@ private:
 
 } // namespace
 
-SplitLayout lay_out_split(std::span<const SplitGroup> groups, double length, uint32_t max_parts) {
-	return Layouter(groups, clean(length), max_parts).run();
+SplitLayout lay_out_split(std::span<const SplitGroup> groups, double length, uint32_t max_parts, Arena &arena) {
+	return Layouter(groups, clean(length), max_parts, arena).run();
 }
 
 } // namespace pcg::cga

@@ -2,9 +2,8 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
-#include "core/base/small_vector.h"
+#include "core/cga/arena.h"
 #include "core/lang/value.h"
 
 // Where the parts of a split lie (CGA reference: op_split; section 4.2).
@@ -18,7 +17,7 @@ struct SplitSize {
 
 // Sizes that stand side by side: once, or repeated.
 struct SplitGroup {
-	SmallVector<SplitSize, 6> sizes;
+	std::span<const SplitSize> sizes;
 	bool is_repeated = false;
 };
 
@@ -28,12 +27,12 @@ struct SplitPart {
 };
 
 struct SplitLayout {
-	std::vector<SplitPart> parts; // in order, longer than 1e-6 m each
+	std::span<SplitPart> parts; // in order, longer than 1e-6 m each
 	bool is_clamped = false; // there would have been more than `max_parts`
 };
 
 // `length` >= 0. Sizes that are not finite or negative count as 0. Flexible parts share what is left; repeats take the count that stretches
-// the flexible parts least: the smallest |stretch - 1|.
-SplitLayout lay_out_split(std::span<const SplitGroup> groups, double length, uint32_t max_parts);
+// the flexible parts least: the smallest |stretch - 1|. The parts lie in the arena.
+SplitLayout lay_out_split(std::span<const SplitGroup> groups, double length, uint32_t max_parts, Arena &arena);
 
 } // namespace pcg::cga

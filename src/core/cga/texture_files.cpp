@@ -20,7 +20,7 @@ TextureFiles::Entry TextureFiles::find(Context &context, const Text &name) {
 		const std::string &rule_file = context.vm.program().files[file];
 		place->second = { texts.intern(std::string_view(assets->locate(name.view, rule_file))), assets->has_alpha(name.view, rule_file) };
 	}
-	if (place->second.path == 0) {
+	if (place->second.path == 0 && !context.vm.has_warned()) {
 		context.vm.warn("missing-texture", "there is no picture \"" + std::string(name.view) + "\"; the surface has its colour only");
 	}
 	return place->second;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <span>
 
 #include <glm/geometric.hpp>
 
@@ -13,48 +15,53 @@ namespace {
 
 using Border = Wavefront::Border;
 
-// The unused border that leaves `node` with the tightest turn to the left, so that a face that touches itself comes out as simple parts.
-const Border *next_border(const std::vector<const Border *> &borders, std::vector<bool> &is_used, const Wavefront &front, const Border &last) {
+struct FaceBorder {
+	const Border *border = nullptr;
+	bool is_used = false;
+};
+
+// How far the way turns to the left from one border to the next.
+double turn_between(const Wavefront &front, const Border &last, const Border &next) {
 	const auto &nodes = front.nodes();
 	const glm::dvec2 arriving = nodes[last.to].position - nodes[last.from].position;
-	size_t best = borders.size();
-	double best_turn = -10.0;
-	for (size_t i = 0; i < borders.size(); ++i) {
-		if (is_used[i] || borders[i]->from != last.to) {
-			continue;
-		}
-		const glm::dvec2 leaving = nodes[borders[i]->to].position - nodes[borders[i]->from].position;
-		const double turn = std::atan2(arriving.x * leaving.y - arriving.y * leaving.x, glm::dot(arriving, leaving));
-		if (turn > best_turn) {
-			best_turn = turn;
-			best = i;
+	const glm::dvec2 leaving = nodes[next.to].position - nodes[next.from].position;
+	return std::atan2(arriving.x * leaving.y - arriving.y * leaving.x, glm::dot(arriving, leaving));
+}
+
+// The unused border that leaves `node` with the tightest turn to the left, so that a face that touches itself comes out as simple parts.
+const Border *next_border(std::span<FaceBorder> borders, const Wavefront &front, const Border &last) {
+	FaceBorder *best = nullptr;
+	for (FaceBorder &candidate : borders) {
+		if (!candidate.is_used && candidate.border->from == last.to &&
+				(best == nullptr || turn_between(front, last, *candidate.border) > turn_between(front, last, *best->border))) {
+			best = &candidate;
 		}
 	}
-	if (best == borders.size()) {
+	if (best == nullptr) {
 		return nullptr;
 	}
-	is_used[best] = true;
-	return borders[best];
+	best->is_used = true;
+	return best->border;
 }
 
 // Closes the outlines of one edge's face from its directed borders. False if they do not close.
-bool trace_faces(uint32_t edge, const std::vector<const Border *> &borders, const Wavefront &front, std::vector<SkeletonFace> &faces) {
-	std::vector<bool> is_used(borders.size(), false);
+bool trace_faces(uint32_t edge, std::span<FaceBorder> borders, const Wavefront &front, std::vector<SkeletonFace> &faces) {
 	bool is_closed = true;
-	for (size_t first = 0; first < borders.size(); ++first) {
-		if (is_used[first]) {
+	for (FaceBorder &first : borders) {
+		if (first.is_used) {
 			continue;
 		}
-		is_used[first] = true;
+		first.is_used = true;
 		SkeletonFace face{ edge, {} };
-		const Border *border = borders[first];
+		face.outline.reserve(borders.size());
+		const Border *border = first.border;
 		while (border) {
 			const Wavefront::Node &node = front.nodes()[border->from];
 			face.outline.push_back({ node.position, node.time });
-			if (border->to == borders[first]->from) {
+			if (border->to == first.border->from) {
 				break;
 			}
-			border = next_border(borders, is_used, front, *border);
+			border = next_border(borders, front, *border);
 		}
 		is_closed &= border != nullptr;
 		if (border && face.outline.size() > 2) {
@@ -62,6 +69,21 @@ bool trace_faces(uint32_t edge, const std::vector<const Border *> &borders, cons
 		}
 	}
 	return is_closed;
+}
+
+// The borders edge by edge, those of one edge in their order; `ends` says where those of each edge end.
+std::vector<FaceBorder> borders_by_edge(const Wavefront &front, std::vector<uint32_t> &ends) {
+	ends.assign(front.edge_count() + 1, 0);
+	for (const Border &border : front.borders()) {
+		++ends[border.edge + 1];
+	}
+	std::partial_sum(ends.begin(), ends.end(), ends.begin());
+	std::vector<FaceBorder> result(front.borders().size());
+	for (const Border &border : front.borders()) {
+		result[ends[border.edge]++].border = &border;
+	}
+	ends.pop_back();
+	return result;
 }
 
 bool is_valid_input(const std::vector<std::vector<glm::dvec2>> &loops, const std::vector<double> &speeds, double max_time) {
@@ -88,12 +110,12 @@ StraightSkeleton straight_skeleton(const std::vector<std::vector<glm::dvec2>> &l
 	}
 	Wavefront front(loops, speeds);
 	skeleton.is_complete = front.run(max_time);
-	std::vector<std::vector<const Border *>> borders(front.edge_count());
-	for (const Border &border : front.borders()) {
-		borders[border.edge].push_back(&border);
-	}
-	for (uint32_t edge = 0; edge < front.edge_count(); ++edge) {
-		skeleton.is_complete &= trace_faces(edge, borders[edge], front, skeleton.faces);
+	std::vector<uint32_t> ends;
+	std::vector<FaceBorder> borders = borders_by_edge(front, ends);
+	skeleton.faces.reserve(front.edge_count());
+	uint32_t first = 0;
+	for (uint32_t edge = 0; edge < front.edge_count(); first = ends[edge++]) {
+		skeleton.is_complete &= trace_faces(edge, std::span(borders).subspan(first, ends[edge] - first), front, skeleton.faces);
 	}
 	skeleton.fronts = front.fronts();
 	return skeleton;

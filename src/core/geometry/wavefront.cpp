@@ -26,10 +26,9 @@ Wavefront::Wavefront(const std::vector<std::vector<glm::dvec2>> &loops, const st
 		}
 	}
 	_tolerance = std::max(1e-12, 1e-9 * glm::length(high - low));
+	reserve(loops);
 	for (const auto &loop : loops) {
-		const uint32_t first = _edge_count;
-		_edge_count += uint32_t(loop.size());
-		add_loop(loop, speeds, first);
+		add_loop(loop, speeds);
 	}
 	add_steps();
 	for (Vertex &vertex : _vertices) {
@@ -40,8 +39,9 @@ Wavefront::Wavefront(const std::vector<std::vector<glm::dvec2>> &loops, const st
 }
 
 // Repeated points are left out: their edge has no length and no face.
-void Wavefront::add_loop(const std::vector<glm::dvec2> &loop, const std::vector<double> &speeds, uint32_t first_edge) {
+void Wavefront::add_loop(const std::vector<glm::dvec2> &loop, const std::vector<double> &speeds) {
 	const size_t count = loop.size();
+	_edge_count += uint32_t(count);
 	const uint32_t first_vertex = uint32_t(_vertices.size());
 	for (size_t i = 0; i < count; ++i) {
 		const glm::dvec2 a = loop[i], b = loop[(i + 1) % count];
@@ -51,7 +51,7 @@ void Wavefront::add_loop(const std::vector<glm::dvec2> &loop, const std::vector<
 		}
 		const glm::dvec2 direction = (b - a) / distance;
 		const glm::dvec2 normal(-direction.y, direction.x);
-		const uint32_t source = first_edge + uint32_t(i);
+		const uint32_t source = _edge_count - uint32_t(count - i);
 		const uint32_t edge = uint32_t(_edges.size());
 		_edges.push_back({ direction, normal, glm::dot(normal, a), speeds.empty() ? 1.0 : speeds[source], source });
 		_nodes.push_back({ a, 0.0 });

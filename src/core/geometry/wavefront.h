@@ -51,7 +51,19 @@ private:
 	};
 	static constexpr uint32_t no_source = 0xFFFFFFFF;
 
-	void add_loop(const std::vector<glm::dvec2> &loop, const std::vector<double> &speeds, uint32_t first_edge);
+	// For what most outlines need: each corner ends once, and two of them make one.
+	void reserve(const std::vector<std::vector<glm::dvec2>> &loops) {
+		size_t corners = 0;
+		for (const auto &loop : loops) {
+			corners += loop.size();
+		}
+		_edges.reserve(corners);
+		_vertices.reserve(2 * corners);
+		_active.reserve(2 * corners);
+		_nodes.reserve(3 * corners);
+		_borders.reserve(6 * corners);
+	}
+	void add_loop(const std::vector<glm::dvec2> &loop, const std::vector<double> &speeds);
 	void add_steps();
 	uint32_t add_node(glm::dvec2 position);
 	uint32_t add_vertex(uint32_t before_edge, uint32_t after_edge, uint32_t node);

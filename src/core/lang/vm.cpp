@@ -179,7 +179,7 @@ bool Vm::enter_native(Border &border) {
 	if (_failed || !count_step()) {
 		return false;
 	}
-	if (_native_depth >= _limits.max_native_depth || _top + _program->max_stack > _stack_end) {
+	if (!can_enter_native()) {
 		fail("recursion-limit", "blocks nested deeper than " + std::to_string(_limits.max_native_depth) + " levels while running",
 				"a rule that calls itself needs a case that ends it");
 		return false;
@@ -285,9 +285,28 @@ Value Vm::evaluate_leaf(Chunk chunk) {
 	return result;
 }
 
+Flow Vm::call_host_rule(RuleId rule, std::span<const Value> args) {
+	_silent_steps = 0;
+	const Flow flow = count_step() ? _host->call_rule(*this, rule, args) : Flow::Stop;
+	return _failed ? Flow::Stop : flow;
+}
+
 Flow Vm::run_body(Chunk chunk) {
 	if (chunk == Chunk::None) {
 		return Flow::Next;
+	}
+	const Instruction *code = _program->code.data() + uint32_t(chunk);
+	if (code[0].code == OpCode::CallHostRule && code[0].count == 0 && code[1].code == OpCode::End && can_enter_native()) {
+		if (_failed || !count_step()) { // most bodies are one call, which needs no frame
+			return Flow::Stop;
+		}
+		const uint32_t address = _address;
+		_address = uint32_t(chunk) + 1;
+		++_native_depth; // a host may run the rule at once
+		const Flow flow = call_host_rule(RuleId(code[0].operand), {});
+		--_native_depth;
+		_address = address;
+		return flow == Flow::Next ? Flow::Next : Flow::Stop;
 	}
 	Border border;
 	Stop stop = Stop::Stopped;
@@ -327,12 +346,15 @@ Value Vm::fail(std::string_view id, std::string message, std::string hint) {
 	return Value();
 }
 
+bool Vm::has_warned() const {
+	return std::binary_search(_warned.begin(), _warned.end(), _address);
+}
+
 void Vm::warn(std::string_view id, std::string message, std::string hint) {
-	const auto at = std::lower_bound(_warned.begin(), _warned.end(), _address);
-	if (at != _warned.end() && *at == _address) {
+	if (has_warned()) {
 		return;
 	}
-	_warned.insert(at, _address);
+	_warned.insert(std::lower_bound(_warned.begin(), _warned.end(), _address), _address);
 	warn_each(id, std::move(message), std::move(hint));
 }
 

@@ -121,6 +121,8 @@ public:
 	void warn(std::string_view id, std::string message, std::string hint = {});
 	// Warnings are told again: for hosts whose runs are told apart.
 	void forget_warnings() { _warned.clear(); }
+	// Whether one was told at this place.
+	bool has_warned() const;
 	// The same each time: for hosts that know better what was told before.
 	void warn_each(std::string_view id, std::string message, std::string hint = {});
 	bool has_failed() const { return _failed; }
@@ -187,6 +189,8 @@ private:
 	bool count_step_with_care();
 	Value evaluate_leaf(Chunk chunk);
 	void reset_initial_attributes();
+	bool can_enter_native() const { return _native_depth < _limits.max_native_depth && _top + _program->max_stack <= _stack_end; }
+	Flow call_host_rule(RuleId rule, std::span<const Value> args);
 	const Value &load_attribute(uint32_t index);
 	Value evaluate_attribute(uint32_t index);
 	Value arithmetic(const Instruction &instruction, const Value &a, const Value &b);

@@ -292,9 +292,7 @@ Vm::Stop Vm::run() {
 			}
 			case OpCode::CallHostRule: {
 				store();
-				_silent_steps = 0;
-				const Flow flow = count_step() ? _host->call_rule(*this, RuleId(i.operand), { top - i.count, i.count }) : Flow::Stop;
-				if (flow != Flow::Next || _failed) [[unlikely]] {
+				if (call_host_rule(RuleId(i.operand), { top - i.count, i.count }) != Flow::Next) [[unlikely]] {
 					return Stop::Stopped;
 				}
 				top -= i.count;

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <vector>
 
 using namespace pcg;
 using namespace pcg::cga;
@@ -13,9 +14,23 @@ SplitSize fixed(double value) { return { value, SizeKind::Absolute, 0 }; }
 SplitSize flexible(double value) { return { value, SizeKind::Flexible, 0 }; }
 SplitSize relative(double value) { return { value, SizeKind::Relative, 0 }; }
 
-std::vector<double> lengths(const std::vector<SplitGroup> &groups, double length, uint32_t most = 1000) {
+struct Group {
+	std::vector<SplitSize> sizes;
+	bool is_repeated = false;
+};
+
+SplitLayout lay_out(const std::vector<Group> &groups, double length, uint32_t most, Arena &arena) {
+	std::vector<SplitGroup> views;
+	for (const Group &group : groups) {
+		views.push_back({ group.sizes, group.is_repeated });
+	}
+	return lay_out_split(views, length, most, arena);
+}
+
+std::vector<double> lengths(const std::vector<Group> &groups, double length, uint32_t most = 1000) {
+	Arena arena;
 	std::vector<double> result;
-	for (const SplitPart &part : lay_out_split(groups, length, most).parts) {
+	for (const SplitPart &part : lay_out(groups, length, most, arena).parts) {
 		result.push_back(std::round((part.to - part.from) * 1e6) / 1e6);
 	}
 	return result;
@@ -24,7 +39,8 @@ std::vector<double> lengths(const std::vector<SplitGroup> &groups, double length
 } // namespace
 
 TEST_CASE("parts follow each other without gaps, and a flexible end reaches the end exactly") {
-	const auto layout = lay_out_split(std::vector<SplitGroup>{ { { fixed(0.1), flexible(1), fixed(0.2), flexible(2) }, false } }, 0.7, 100);
+	Arena arena;
+	const auto layout = lay_out({ { { fixed(0.1), flexible(1), fixed(0.2), flexible(2) }, false } }, 0.7, 100, arena);
 	REQUIRE(layout.parts.size() == 4);
 	for (size_t i = 1; i < layout.parts.size(); ++i) {
 		CHECK(layout.parts[i].from == layout.parts[i - 1].to);
@@ -65,10 +81,11 @@ TEST_CASE("useless sizes make no part, and no endless work") {
 	CHECK(lengths({ { { fixed(0), flexible(0) }, true } }, 10).empty());
 	CHECK(lengths({ { { flexible(1) }, true } }, 0).empty());
 	CHECK(lengths({ { { flexible(1) }, true } }, NAN).empty());
-	const auto layout = lay_out_split(std::vector<SplitGroup>{ { { fixed(1e-3) }, true } }, 1e6, 1000);
+	Arena arena;
+	const auto layout = lay_out({ { { fixed(1e-3) }, true } }, 1e6, 1000, arena);
 	CHECK(layout.is_clamped);
 	CHECK(layout.parts.size() == 1000);
-	const auto weights = lay_out_split(std::vector<SplitGroup>{ { { flexible(1e-3) }, true } }, 1e6, 1000);
+	const auto weights = lay_out({ { { flexible(1e-3) }, true } }, 1e6, 1000, arena);
 	CHECK(weights.is_clamped);
 	CHECK(weights.parts.size() == 1000);
 }

@@ -16,7 +16,7 @@ Value print(Vm &vm, const Args &args) {
 
 Value report(Vm &vm, const Args &args) {
 	const double number = args[1].is_number() ? args[1].number : args[1].is_bool() && args[1].boolean ? 1.0 : 0.0;
-	Context::of(vm).model.add_report(text_at(args, 0), number);
+	Context::of(vm).model.add_report(args[0].is_text() ? *args[0].text : Text(), number);
 	return args[1];
 }
 

@@ -17,7 +17,7 @@ constexpr uint32_t nobody = UINT32_MAX;
 class ComponentSplit {
 public:
 	ComponentSplit(Context &context, ComponentKind kind, bool keeps_axes)
-			: _context(context), _parent(context.shape), _kind(kind), _keeps_axes(keeps_axes) {}
+			: _context(context), _scope(context.scratch), _parent(context.shape), _kind(kind), _keeps_axes(keeps_axes) {}
 
 	Flow run(const Block &block) {
 		if (!prepare(block)) {
@@ -27,8 +27,9 @@ public:
 		if (_kind == ComponentKind::Faces) {
 			_trim = _context.trimmer.source_of(_parent, *_geometry, _keeps_axes, _context.arena);
 		}
+		Context::Children children(_context);
 		for (uint32_t i = 0; i < _entries.size(); ++i) {
-			if (run_entry(i) != Flow::Next) {
+			if (run_entry(i, children) != Flow::Next) {
 				return Flow::Stop;
 			}
 		}
@@ -75,7 +76,8 @@ private:
 
 	// Each component goes to the first entry that selects it.
 	void assign() {
-		_entry_of.assign(_components.size(), nobody);
+		_entry_of = _context.scratch.allocate<uint32_t>(_components.size());
+		std::fill_n(_entry_of, _components.size(), nobody);
 		for (uint32_t i = 0; i < _components.size(); ++i) {
 			for (uint32_t e = 0; e < _entries.size() && _entry_of[i] == nobody; ++e) {
 				_entry_of[i] = selects(_entries[e], i) ? e : nobody;
@@ -133,12 +135,13 @@ private:
 
 	// The components that are one shape together.
 	std::vector<std::vector<uint32_t>> groups_of(uint32_t index) {
-		const std::vector<uint32_t> mine = components_of_entry(index);
+		const ArenaScope scope(_context.scratch);
+		const std::span<const uint32_t> mine = components_of_entry(index);
 		if (_entries[index].separator == BlockEntry::Separator::Connected) {
 			return connected_groups(mine);
 		}
 		if (_entries[index].separator == BlockEntry::Separator::All) {
-			return mine.empty() ? std::vector<std::vector<uint32_t>>() : std::vector<std::vector<uint32_t>>{ mine };
+			return mine.empty() ? std::vector<std::vector<uint32_t>>() : std::vector<std::vector<uint32_t>>{ { mine.begin(), mine.end() } };
 		}
 		std::vector<std::vector<uint32_t>> groups;
 		for (const uint32_t component : mine) {
@@ -147,29 +150,32 @@ private:
 		return groups;
 	}
 
-	std::vector<uint32_t> components_of_entry(uint32_t index) const {
-		std::vector<uint32_t> mine;
+	// In the scratch memory.
+	std::span<const uint32_t> components_of_entry(uint32_t index) const {
+		uint32_t *mine = _context.scratch.allocate<uint32_t>(_components.size());
+		size_t count = 0;
 		for (uint32_t i = 0; i < _components.size(); ++i) {
 			if (_entry_of[i] == index) {
-				mine.push_back(i);
+				mine[count++] = i;
 			}
 		}
-		return mine;
+		return { mine, count };
 	}
 
-	Flow run_entry(uint32_t index) {
+	Flow run_entry(uint32_t index, Context::Children &children) {
 		const BlockEntry &entry = _entries[index];
 		Flow flow = Flow::Next;
 		if (entry.separator != BlockEntry::Separator::Each) {
 			const std::vector<std::vector<uint32_t>> groups = groups_of(index);
 			for (uint32_t i = 0; i < groups.size() && flow == Flow::Next; ++i) {
-				flow = run_one(entry, groups[i], i, uint32_t(groups.size()));
+				flow = run_one(entry, groups[i], i, uint32_t(groups.size()), children);
 			}
 			return flow;
 		}
-		const std::vector<uint32_t> mine = components_of_entry(index);
+		const ArenaScope scope(_context.scratch);
+		const std::span<const uint32_t> mine = components_of_entry(index);
 		for (uint32_t i = 0; i < mine.size() && flow == Flow::Next; ++i) {
-			flow = run_one(entry, std::span(mine).subspan(i, 1), i, uint32_t(mine.size()));
+			flow = run_one(entry, mine.subspan(i, 1), i, uint32_t(mine.size()), children);
 		}
 		return flow;
 	}
@@ -183,17 +189,17 @@ private:
 		return child;
 	}
 
-	Flow run_one(const BlockEntry &entry, std::span<const uint32_t> components, uint32_t index, uint32_t total) {
+	Flow run_one(const BlockEntry &entry, std::span<const uint32_t> components, uint32_t index, uint32_t total, Context::Children &children) {
 		Shape child = child_of(entry, components, index, total);
 		if (_trim != nullptr && entry.separator == BlockEntry::Separator::Each) {
 			child.trim = _trim;
 			child.trim_face = _components[components[0]].face;
 		}
-		return child.geometry != nullptr ? _context.run_child(child, entry.body) : Flow::Next;
+		return child.geometry != nullptr ? children.run(child, entry.body) : Flow::Next;
 	}
 
 	// Faces hang together by edges, edges by their ends; anything else stands alone.
-	std::vector<std::vector<uint32_t>> connected_groups(const std::vector<uint32_t> &mine) const {
+	std::vector<std::vector<uint32_t>> connected_groups(std::span<const uint32_t> mine) const {
 		std::vector<uint32_t> set_of(_components.size());
 		std::iota(set_of.begin(), set_of.end(), 0);
 		if (_kind == ComponentKind::Faces) {
@@ -215,7 +221,8 @@ private:
 	}
 
 	Context &_context;
-	Shape _parent;
+	ArenaScope _scope;
+	const Shape _parent;
 	ComponentKind _kind;
 	bool _keeps_axes;
 	const Geometry *_geometry = nullptr;
@@ -223,7 +230,7 @@ private:
 	std::vector<ComponentInfo> _components;
 	std::vector<ComponentInfo> _faces; // where groups or materials are asked for sides
 	std::span<const BlockEntry> _entries;
-	std::vector<uint32_t> _entry_of;
+	uint32_t *_entry_of = nullptr; // by component
 	std::vector<uint32_t> _set;
 	std::vector<const ComponentInfo *> _infos;
 };

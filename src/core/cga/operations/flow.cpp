@@ -14,7 +14,7 @@ Flow nil(Vm &vm, const Args &) {
 Flow report(Vm &vm, const Args &args) {
 	const Value &value = args[1];
 	const double number = value.is_number() ? value.number : value.is_bool() && value.boolean ? 1.0 : 0.0;
-	Context::of(vm).model.add_report(args[0].is_text() ? args[0].text->view : std::string_view(), number);
+	Context::of(vm).model.add_report(args[0].is_text() ? *args[0].text : Text(), number);
 	return Flow::Next;
 }
 

@@ -126,7 +126,7 @@ private:
 			rest.push_back({ &face, face.loops() });
 			return Flow::Next;
 		}
-		const SplitLayout layout = lay_out_split(_sizes.groups, chain.length, _context.limits().max_repeats);
+		const SplitLayout layout = lay_out_split(_sizes.groups, chain.length, _context.limits().max_repeats, _context.scratch);
 		const Sections sections = cut_outline(face.loops(), chain, layout, _context.length(_args[0], chain.length));
 		const std::vector<double> depths = depths_of(layout);
 		std::vector<double> distances;
@@ -212,6 +212,7 @@ Flow split_and_setback_perimeter(Vm &vm, const Args &args) {
 	if (geometry == nullptr || args.block == nullptr) {
 		return Flow::Next;
 	}
+	const ArenaScope scope(context.scratch);
 	return PerimeterSplit(context, args).run(flat_faces(*geometry));
 }
 

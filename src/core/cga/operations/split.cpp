@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <vector>
 
 #include <glm/common.hpp>
 
@@ -23,30 +22,69 @@ SplitSize evaluate_size(Context &context, const BlockEntry &entry, uint32_t inde
 	return { context.finite(value), value.size_kind, index };
 }
 
-void collect(Context &context, const Block &block, bool is_repeated, SplitSizes &sizes);
-
-void collect_nested(Context &context, const BlockEntry &entry, bool is_repeated, SplitSizes &sizes) {
-	const Block &block = context.vm.program().blocks[entry.block];
-	if (entry.kind == BlockEntry::Kind::Group || is_repeated) { // plain grouping; a repeat inside of a repeat goes with it
-		collect(context, block, is_repeated, sizes);
-		return;
+class SizeCollector {
+public:
+	SizeCollector(Context &context, const Block &block) : _context(context) {
+		count(block, block.is_repeated);
+		_sizes = context.scratch.allocate<SplitSize>(_size_count);
+		_entries = context.scratch.allocate<const BlockEntry *>(_size_count);
+		_groups = context.scratch.allocate<SplitGroup>(_group_count);
+		_size_count = _group_count = 0;
 	}
-	sizes.groups.push_back({ {}, true });
-	collect(context, block, true, sizes);
-	sizes.groups.push_back({ {}, false });
-}
 
-// Adds the sizes of a block to the last group.
-void collect(Context &context, const Block &block, bool is_repeated, SplitSizes &sizes) {
-	for (const BlockEntry &entry : context.vm.entries(block)) {
-		if (entry.kind != BlockEntry::Kind::Body) {
-			collect_nested(context, entry, is_repeated, sizes);
-			continue;
+	SplitSizes run(const Block &block) {
+		begin_group(block.is_repeated);
+		collect(block, block.is_repeated);
+		return { { _groups, _group_count }, { _entries, _size_count } };
+	}
+
+private:
+	// Plain grouping; a repeat inside of a repeat goes with it.
+	static bool is_inner(const BlockEntry &entry, bool is_repeated) { return entry.kind == BlockEntry::Kind::Group || is_repeated; }
+	const Block &nested(const BlockEntry &entry) const { return _context.vm.program().blocks[entry.block]; }
+
+	void count(const Block &block, bool is_repeated) {
+		++_group_count;
+		for (const BlockEntry &entry : _context.vm.entries(block)) {
+			if (entry.kind == BlockEntry::Kind::Body) {
+				++_size_count;
+			} else {
+				count(nested(entry), is_repeated || !is_inner(entry, is_repeated));
+				++_group_count;
+			}
 		}
-		sizes.groups.back().sizes.push_back(evaluate_size(context, entry, uint32_t(sizes.entries.size())));
-		sizes.entries.push_back(&entry);
 	}
-}
+
+	// Adds the sizes of a block to the last group.
+	void collect(const Block &block, bool is_repeated) {
+		for (const BlockEntry &entry : _context.vm.entries(block)) {
+			if (entry.kind == BlockEntry::Kind::Body) {
+				add(entry);
+			} else if (is_inner(entry, is_repeated)) {
+				collect(nested(entry), is_repeated);
+			} else {
+				begin_group(true);
+				collect(nested(entry), true);
+				begin_group(false);
+			}
+		}
+	}
+
+	void begin_group(bool is_repeated) { _groups[_group_count++] = { { _sizes + _size_count, 0 }, is_repeated }; }
+
+	void add(const BlockEntry &entry) {
+		_sizes[_size_count] = evaluate_size(_context, entry, uint32_t(_size_count));
+		_entries[_size_count++] = &entry;
+		SplitGroup &group = _groups[_group_count - 1];
+		group.sizes = { group.sizes.data(), group.sizes.size() + 1 };
+	}
+
+	Context &_context;
+	SplitSize *_sizes = nullptr;
+	const BlockEntry **_entries = nullptr;
+	SplitGroup *_groups = nullptr;
+	size_t _size_count = 0, _group_count = 0;
+};
 
 // What the corners of a block carry, from share `a` to share `b` of its extent in the scope.
 void cut_corners(Context &context, Shape &child, int axis, double a, double b) {
@@ -114,10 +152,7 @@ bool make_part(Context &context, const SplitPart &part, int axis, bool adjusts, 
 } // namespace
 
 SplitSizes split_sizes(Context &context, const Block &block) {
-	SplitSizes sizes;
-	sizes.groups.push_back({ {}, block.is_repeated });
-	collect(context, block, block.is_repeated, sizes);
-	return sizes;
+	return SizeCollector(context, block).run(block);
 }
 
 Flow run_split(Context &context, const SplitSizes &sizes, const SplitLayout &layout, int axis, bool adjusts) {
@@ -125,12 +160,13 @@ Flow run_split(Context &context, const SplitSizes &sizes, const SplitLayout &lay
 		context.vm.warn("too-many-parts", "this split repeats more than " + std::to_string(context.limits().max_repeats) + " times and was cut short",
 				"its sizes are in metres; use a larger one, or raise the limit");
 	}
+	Context::Children children(context);
 	uint32_t index = 0;
 	for (const SplitPart &part : layout.parts) {
-		Shape child = context.shape;
+		Shape child = children.parent();
 		child.split_index = index++;
 		child.split_total = uint32_t(layout.parts.size());
-		if (make_part(context, part, axis, adjusts, child) && context.run_child(child, sizes.entries[part.entry]->body) != Flow::Next) {
+		if (make_part(context, part, axis, adjusts, child) && children.run(child, sizes.entries[part.entry]->body) != Flow::Next) {
 			return Flow::Stop;
 		}
 	}
@@ -147,9 +183,10 @@ Flow split(Vm &vm, const Args &args) {
 	if (context.shape.geometry == nullptr || args.block == nullptr) {
 		return Flow::Next;
 	}
+	const ArenaScope scope(context.scratch);
 	const SplitSizes sizes = split_sizes(context, *args.block);
 	const double length = std::abs(context.shape.size[axis]);
-	return run_split(context, sizes, lay_out_split(sizes.groups, length, context.limits().max_repeats), axis, adjusts);
+	return run_split(context, sizes, lay_out_split(sizes.groups, length, context.limits().max_repeats, context.scratch), axis, adjusts);
 }
 
 } // namespace

@@ -83,8 +83,9 @@ Flow split_area(Vm &vm, const Args &args) {
 	const AreaBelow area(*geometry, axis);
 	const double total = area.total();
 	const bool is_mirrored = context.shape.size[axis] < 0.0; // parts count from the scope's origin
+	const ArenaScope scope(context.scratch);
 	const SplitSizes sizes = split_sizes(context, *args.block);
-	SplitLayout layout = lay_out_split(sizes.groups, std::max(0.0, total), context.limits().max_repeats);
+	const SplitLayout layout = lay_out_split(sizes.groups, std::max(0.0, total), context.limits().max_repeats, context.scratch);
 	const double width = std::abs(context.shape.size[axis]);
 	const auto distance = [&](double part) {
 		if (part <= 1e-9 * total || part >= total * (1.0 - 1e-9)) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vector>
+#include <span>
 
 #include "core/cga/context.h"
 #include "core/cga/split_layout.h"
@@ -9,11 +9,11 @@
 namespace pcg::cga {
 
 struct SplitSizes {
-	std::vector<SplitGroup> groups;
-	std::vector<const BlockEntry *> entries; // by SplitSize::entry
+	std::span<const SplitGroup> groups;
+	std::span<const BlockEntry *const> entries; // by SplitSize::entry
 };
 
-// Sizes of a block, evaluated once, in order.
+// Sizes of a block, evaluated once, in order. They lie in the context's scratch memory.
 SplitSizes split_sizes(Context &context, const Block &block);
 
 // Cuts the current shape along an axis of its scope and runs the bodies of all parts. With `adjusts` their scopes are refitted, else they span the part.

@@ -33,7 +33,7 @@ bool make_part(Context &context, const UvCut &cut, const SplitPart &part, Shape 
 }
 
 Flow run_parts(Context &context, const UvCut &cut, const SplitSizes &sizes) {
-	const SplitLayout layout = lay_out_split(sizes.groups, (cut.high - cut.low) / cut.per_unit, context.limits().max_repeats);
+	const SplitLayout layout = lay_out_split(sizes.groups, (cut.high - cut.low) / cut.per_unit, context.limits().max_repeats, context.scratch);
 	if (layout.is_clamped) {
 		context.vm.warn("too-many-parts", "this split repeats more than " + std::to_string(context.limits().max_repeats) + " times and was cut short",
 				"with unitSpace its sizes are in metres, with uvSpace in the texture's units; use a larger one, or raise the limit");
@@ -84,6 +84,7 @@ Flow split_uv(Vm &vm, const Args &args) {
 		const double metres = uv_stretch(context.shape, cut.set)[cut.axis];
 		cut.per_unit = metres > 0.0 ? 1.0 / metres : 1.0;
 	}
+	const ArenaScope scope(context.scratch);
 	return run_parts(context, cut, split_sizes(context, *args.block));
 }
 
