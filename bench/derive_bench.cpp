@@ -1,94 +1,27 @@
-#include <cstdio>
-#include <cstdlib>
 #include <chrono>
+#include <cstdlib>
+#include <cstring>
 #include <ctime>
 #include <filesystem>
 #include <functional>
-#include <memory>
-#include <new>
-#include <string>
-#include <vector>
+#include <utility>
 
-#include <malloc.h>
-
-#include "core/cga/derivation.h"
-#include "core/cga/dialect.h"
+#include "bench/cga_bench.h"
 #include "core/cga/instances.h"
 #include "core/cga/neighborhood.h"
-#include "core/io/rule_loader.h"
-#include "core/ports/asset_provider.h"
 
 // Speed of derivations on one core, without reading and compiling the rules and without making triangles. One JSON object a line. `peer` is
 // CityEngine's runtime on one core of a comparable machine: 9 to 11 thousand box lots and 140 to 190 thousand faces a second.
-namespace {
-
-size_t bytes_now = 0, bytes_most = 0; // on the heap; only counted where one thread runs
-
-} // namespace
-
-void *operator new(size_t size) {
-	void *memory = std::malloc(size > 0 ? size : 1);
-	if (memory == nullptr) {
-		std::abort();
-	}
-	bytes_now += malloc_usable_size(memory);
-	bytes_most = bytes_now > bytes_most ? bytes_now : bytes_most;
-	return memory;
-}
-void operator delete(void *memory) noexcept {
-	bytes_now -= memory != nullptr ? malloc_usable_size(memory) : 0;
-	std::free(memory);
-}
-void operator delete(void *memory, size_t) noexcept {
-	operator delete(memory);
-}
-
+//
+//   derive_bench [GROUP]              figures of all groups, or of one: boxes, operations, buildings, shipped, threads
+//   derive_bench names                what can be derived by name
+//   derive_bench derive NAME COUNT    derives it COUNT times and prints the faces of all: for profilers and for `./dev bench --instructions`
 namespace {
 
 using namespace pcg;
+using namespace pcg::bench;
 
-// A window frame of four bars around a pane's place, 1 m wide and high, 0.1 m deep: 16 faces.
-class FrameAsset final : public AssetProvider {
-public:
-	FrameAsset() {
-		const auto corner = [](int i, double inset, double z) {
-			const double low = inset, high = 1.0 - inset;
-			return glm::vec3(i == 1 || i == 2 ? high : low, i >= 2 ? high : low, z);
-		};
-		for (int i = 0; i < 4; ++i) {
-			const int n = (i + 1) % 4;
-			add({ corner(i, 0.0, 0.1), corner(n, 0.0, 0.1), corner(n, 0.08, 0.1), corner(i, 0.08, 0.1) });
-			add({ corner(i, 0.08, 0.1), corner(n, 0.08, 0.1), corner(n, 0.08, 0.0), corner(i, 0.08, 0.0) });
-			add({ corner(n, 0.0, 0.1), corner(i, 0.0, 0.1), corner(i, 0.0, 0.0), corner(n, 0.0, 0.0) });
-			add({ corner(n, 0.0, 0.0), corner(i, 0.0, 0.0), corner(i, 0.08, 0.0), corner(n, 0.08, 0.0) });
-		}
-		_asset.materials.emplace_back();
-	}
-	const Asset *find(std::string_view, std::string_view) const override { return &_asset; }
-	std::string locate(std::string_view name, std::string_view) const override { return std::string(name); }
-
-private:
-	void add(const std::vector<glm::vec3> &points) {
-		Mesh &mesh = _asset.mesh;
-		mesh.positions.insert(mesh.positions.end(), points.begin(), points.end());
-		mesh.faces.emplace_back();
-		mesh.faces.back().first_loop = uint32_t(mesh.loop_ends.size());
-		mesh.loop_ends.push_back(uint32_t(mesh.positions.size()));
-	}
-
-	Asset _asset;
-};
-
-const FrameAsset &frame_asset() {
-	static const FrameAsset asset;
-	return asset;
-}
-
-cga::DeriveOptions options() {
-	cga::DeriveOptions result;
-	result.assets = &frame_asset();
-	return result;
-}
+constexpr double peer_faces = 165'000.0, peer_lots = 10'000.0; // a second
 
 // Of processor time, so that other programs on the machine do not count.
 double seconds_of(const std::function<void()> &work) {
@@ -97,22 +30,8 @@ double seconds_of(const std::function<void()> &work) {
 	return double(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-void print(const std::string &name, double value, const char *unit, double peer) {
-	std::printf("{\"name\": \"%s\", \"value\": %.3f, \"unit\": \"%s\", \"peer\": %.1f, \"ratio\": %.3f}\n", name.c_str(), value, unit, peer,
-			peer > 0.0 ? value / peer : 0.0);
-}
-
-std::shared_ptr<const Program> compiled(const std::string &text) {
-	MemorySourceProvider provider;
-	provider.add("bench.cga", text);
-	Diagnostics diagnostics;
-	auto program = load_program("bench.cga", cga::cga_dialect(), provider, diagnostics);
-	std::fputs(to_text(diagnostics).c_str(), stderr);
-	return program;
-}
-
 // At least 0.4 seconds of derivations; gives lots and faces a second.
-std::pair<double, double> rates(const Program &program, double width, double depth) {
+std::pair<double, double> rates(const Program &program, double width) {
 	cga::Deriver deriver(program, options());
 	uint64_t lots = 0, faces = 0;
 	double seconds = 0.0;
@@ -120,103 +39,88 @@ std::pair<double, double> rates(const Program &program, double width, double dep
 		lots = faces = 0;
 		seconds = seconds_of([&] {
 			for (; lots < batch; ++lots) {
-				faces += deriver.derive(cga::InitialShape::rectangle(width, depth, lots)).face_count;
+				faces += deriver.derive(cga::InitialShape::rectangle(width, width, lots)).face_count;
 			}
 		});
 	}
 	return { double(lots) / seconds, double(faces) / seconds };
 }
 
-const char *const box_rules = "Lot --> extrude(10) comp(f) { bottom : NIL | top : Roof. | side : Wall. }";
+struct Case {
+	const char *name;
+	const char *text; // nullptr: the file of that name in bench/rules/
+	double width = 100.0; // of the lot
+};
+
+constexpr Case boxes = { "boxes", "Lot --> extrude(10) comp(f) { bottom : NIL | top : Roof. | side : Wall. }", 20.0 };
+
+// Rules whose faces are made by one operation.
+constexpr Case operations[] = {
+	{ "facade", "Lot --> extrude(60) comp(f) { side : Facade | all : Cap. }\n"
+				"Facade --> split(y) { { ~3 : Floor }* }\n"
+				"Floor --> split(x) { { ~2 : Tile }* }\n"
+				"Tile --> split(x) { ~1 : Wall. | 1 : split(y) { 1 : Wall. | 1.2 : Window. | ~1 : Wall. } | ~1 : Wall. }\n" },
+	{ "extrude", "Lot --> split(x) { ~1 : split(z) { ~1 : extrude(3) }* }*" },
+	{ "comp", "Lot --> split(x) { ~1 : extrude(3) comp(f) { all : X. } }*" },
+	{ "clip", "Lot --> primitiveDisk(32) split(x) { ~1 : split(z) { ~1 : X. }* }*" },
+	{ "roof_hip", "Lot --> split(x) { ~10 : split(z) { ~8 : roofHip(30) }* }*" },
+	{ "roof_gable", "Lot --> split(x) { ~10 : split(z) { ~8 : roofGable(30) }* }*" },
+	{ "setback", "Lot --> split(x) { ~10 : split(z) { ~8 : setback(1) { all : X. | remainder : Y. } }* }*" },
+	{ "offset", "Lot --> split(x) { ~10 : split(z) { ~8 : offset(-1) }* }*" },
+	{ "shape_l", "Lot --> split(x) { ~10 : split(z) { ~8 : shapeL(2, 3) { shape : X. | remainder : Y. } }* }*" },
+	{ "primitive_cube", "Lot --> split(x) { ~1 : split(z) { ~1 : s('1, 2, '1) primitiveCube() }* }*" },
+	{ "insert", "Lot --> split(x) { ~1 : split(z) { ~1 : s('1, 2, '1) i(\"windows/frame.obj\") }* }*" },
+	{ "texture", "Lot --> setupProjection(0, scope.xz, 4, 4) split(x) { ~1 : split(z) { ~1 : texture(\"facades/stone.png\") projectUV(0) X. }* }*" },
+	{ "color", "Lot --> split(x) { ~1 : split(z) { ~1 : color(rand(), 0.5, 0.5) X. }* }*" },
+	{ "occlusion", "Lot --> split(x) { ~10 : extrude(10 + split.index) comp(f) { side : split(y) { ~2 : Tile }* | all : NIL } }*\n"
+				   "Tile --> case touches(intra) : X. else : Y." },
+};
+
+std::shared_ptr<const Program> program_of(const Case &named) {
+	return named.text != nullptr ? compiled(named.text) : loaded(named.name);
+}
+
+std::vector<Case> all_cases() {
+	std::vector<Case> cases(std::begin(operations), std::end(operations));
+	cases.push_back(boxes);
+	for (const Building &building : buildings) {
+		cases.push_back({ building.name, nullptr, building.width });
+	}
+	return cases;
+}
 
 void bench_boxes() {
-	if (const auto program = compiled(box_rules)) {
-		print("cga_box_lots", rates(*program, 20.0, 20.0).first, "lots/s", 10'000.0);
+	if (const auto program = program_of(boxes)) {
+		print("cga_box_lots", rates(*program, boxes.width).first, "lots/s", peer_lots);
 	}
 }
 
-// Real time, on one thread and on two.
-void bench_threads() {
-	const auto program = compiled(box_rules);
-	std::vector<cga::InitialShape> lots;
-	for (uint64_t i = 0; program && i < 100'000; ++i) {
-		lots.push_back(cga::InitialShape::rectangle(20.0, 20.0, i));
-	}
-	double seconds[2] = {};
-	for (unsigned threads : { 1u, 2u }) {
-		const auto start = std::chrono::steady_clock::now();
-		cga::derive_all(*program, lots, {}, { threads, {}, nullptr });
-		seconds[threads - 1] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-	}
-	print("cga_box_lots_two_threads_speedup", seconds[0] / seconds[1], "times", 1.0);
-}
-
-// By operation: rules whose faces are made by it.
 void bench_operations() {
-	const std::pair<const char *, const char *> cases[] = {
-		{ "facade", "Lot --> extrude(60) comp(f) { side : Facade | all : Cap. }\n"
-					"Facade --> split(y) { { ~3 : Floor }* }\n"
-					"Floor --> split(x) { { ~2 : Tile }* }\n"
-					"Tile --> split(x) { ~1 : Wall. | 1 : split(y) { 1 : Wall. | 1.2 : Window. | ~1 : Wall. } | ~1 : Wall. }\n" },
-		{ "extrude", "Lot --> split(x) { ~1 : split(z) { ~1 : extrude(3) }* }*" },
-		{ "comp", "Lot --> split(x) { ~1 : extrude(3) comp(f) { all : X. } }*" },
-		{ "clip", "Lot --> primitiveDisk(32) split(x) { ~1 : split(z) { ~1 : X. }* }*" },
-		{ "roof_hip", "Lot --> split(x) { ~10 : split(z) { ~8 : roofHip(30) }* }*" },
-		{ "roof_gable", "Lot --> split(x) { ~10 : split(z) { ~8 : roofGable(30) }* }*" },
-		{ "setback", "Lot --> split(x) { ~10 : split(z) { ~8 : setback(1) { all : X. | remainder : Y. } }* }*" },
-		{ "offset", "Lot --> split(x) { ~10 : split(z) { ~8 : offset(-1) }* }*" },
-		{ "shape_l", "Lot --> split(x) { ~10 : split(z) { ~8 : shapeL(2, 3) { shape : X. | remainder : Y. } }* }*" },
-		{ "primitive_cube", "Lot --> split(x) { ~1 : split(z) { ~1 : s('1, 2, '1) primitiveCube() }* }*" },
-		{ "insert", "Lot --> split(x) { ~1 : split(z) { ~1 : s('1, 2, '1) i(\"frame.obj\") }* }*" },
-		{ "texture", "Lot --> setupProjection(0, scope.xz, 4, 4) split(x) { ~1 : split(z) { ~1 : texture(\"a.jpg\") projectUV(0) X. }* }*" },
-		{ "color", "Lot --> split(x) { ~1 : split(z) { ~1 : color(rand(), 0.5, 0.5) X. }* }*" },
-		{ "occlusion", "Lot --> split(x) { ~10 : extrude(10 + split.index) comp(f) { side : split(y) { ~2 : Tile }* | all : NIL } }*\n"
-					   "Tile --> case touches(intra) : X. else : Y." },
-	};
-	for (const auto &[name, text] : cases) {
-		if (const auto program = compiled(text)) {
-			print(std::string("cga_") + name + "_faces", rates(*program, 100.0, 100.0).second, "faces/s", 165'000.0);
+	for (const Case &operation : operations) {
+		if (const auto program = program_of(operation)) {
+			print(std::string("cga_") + operation.name + "_faces", rates(*program, operation.width).second, "faces/s", peer_faces);
 		}
 	}
 }
 
-// What a derivation needs beside its result, by face: arena, builders, the lists of waiting shapes, what growing lists leave behind.
-void bench_memory(const std::string &name, const Program &program, double width) {
-	cga::Deriver deriver(program, options());
-	const size_t before = bytes_now;
-	bytes_most = bytes_now;
-	const cga::DerivationResult model = deriver.derive(cga::InitialShape::rectangle(width, width, 1));
-	const size_t most = bytes_most;
-	const size_t faces = model.face_count;
-	const Mesh copy = model.mesh;
-	size_t result = copy.positions.size() * sizeof(copy.positions[0]) + copy.loop_ends.size() * sizeof(copy.loop_ends[0]) + copy.faces.size() * sizeof(copy.faces[0]) +
-			copy.normals.size() * sizeof(glm::vec3);
-	for (const auto &uvs : copy.uvs) {
-		result += uvs.size() * sizeof(glm::vec2);
+void bench_buildings() {
+	for (const Building &building : buildings) {
+		const auto program = loaded(building.name);
+		if (!program) {
+			continue;
+		}
+		const std::string name = std::string("cga_") + building.name;
+		const cga::DerivationResult model = cga::derive(*program, cga::InitialShape::rectangle(building.width, building.width, 1), options());
+		std::fputs(to_text(model.diagnostics).c_str(), stderr);
+		print(name + "_faces", double(model.face_count), "faces", 47'000.0);
+		const auto [lots, faces] = rates(*program, building.width);
+		print(name + "_seconds", 1.0 / lots, "s", 0.3);
+		print(name + "_faces_per_second", faces, "faces/s", peer_faces);
+		// The same with every inserted model written out as faces.
+		cga::Deriver deriver(*program, options());
+		const cga::InitialShape lot = cga::InitialShape::rectangle(building.width, building.width, 1);
+		print(name + "_written_out_seconds", seconds_of([&] { (void)cga::written_out(deriver.derive(lot)); }), "s", 0.3);
 	}
-	result += model.instances.size() * sizeof(cga::ModelInstance);
-	print(name + "_result_bytes", double(result) / double(faces), "bytes/face", 0.0);
-	print(name + "_transient_bytes", (double(most - before) - double(result)) / double(faces), "bytes/face", 0.0);
-}
-
-void bench_tower() {
-	Diagnostics diagnostics;
-	const auto program = load_program("bench/rules/tower.cga", cga::cga_dialect(), diagnostics);
-	std::fputs(to_text(diagnostics).c_str(), stderr);
-	if (!program) {
-		return;
-	}
-	const cga::DerivationResult model = cga::derive(*program, cga::InitialShape::rectangle(36.0, 36.0, 1), options());
-	std::fputs(to_text(model.diagnostics).c_str(), stderr);
-	print("cga_tower_faces", double(model.face_count), "faces", 47'000.0);
-	const auto [lots, faces] = rates(*program, 36.0, 36.0);
-	print("cga_tower_seconds", 1.0 / lots, "s", 0.3);
-	print("cga_tower_faces_per_second", faces, "faces/s", 165'000.0);
-	// The same with every inserted frame written out as faces.
-	cga::Deriver deriver(*program, options());
-	const double seconds = seconds_of([&] { (void)cga::written_out(deriver.derive(cga::InitialShape::rectangle(36.0, 36.0, 1))); });
-	print("cga_tower_written_out_seconds", seconds, "s", 0.3);
-	bench_memory("cga_tower", *program, 36.0);
 }
 
 // 300 lots, as many of each rule file that ships.
@@ -240,16 +144,68 @@ void bench_shipped() {
 		}
 	});
 	print("cga_shipped_300_lots_seconds", seconds, "s", 0.5);
-	print("cga_shipped_faces_per_second", double(faces) / seconds, "faces/s", 165'000.0);
+	print("cga_shipped_faces_per_second", double(faces) / seconds, "faces/s", peer_faces);
+}
+
+// Of several lots on one thread and on two: how often faster by the clock, which needs a machine with two idle cores; and how much of the
+// processor time of one thread both together need, which does not: twice its inverse is what idle cores would give.
+void bench_two_threads(const std::string &name, const Program &program, double width, uint64_t count) {
+	std::vector<cga::InitialShape> lots;
+	for (uint64_t i = 0; i < count; ++i) {
+		lots.push_back(cga::InitialShape::rectangle(width, width, i));
+	}
+	double seconds[2] = {}, work[2] = {};
+	for (const unsigned threads : { 1u, 2u }) {
+		const auto start = std::chrono::steady_clock::now();
+		work[threads - 1] = seconds_of([&] { cga::derive_all(program, lots, options(), { threads, {}, nullptr }); });
+		seconds[threads - 1] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+	}
+	print("cga_" + name + "_two_threads_speedup", seconds[0] / seconds[1], "times", 1.0);
+	print("cga_" + name + "_two_threads_work", work[1] / work[0], "times", 1.0);
+}
+
+void bench_threads() {
+	if (const auto program = program_of(boxes)) {
+		bench_two_threads("box_lots", *program, boxes.width, 100'000);
+	}
+	if (const auto program = loaded("building")) {
+		bench_two_threads("building", *program, 44.0, 20);
+	}
+}
+
+int derive_case(const std::string &name, int count) {
+	for (const Case &named : all_cases()) {
+		const auto program = name == named.name ? program_of(named) : nullptr;
+		if (program) {
+			cga::Deriver deriver(*program, options());
+			uint64_t faces = 0;
+			for (int i = 0; i < count; ++i) {
+				faces += deriver.derive(cga::InitialShape::rectangle(named.width, named.width, 1)).face_count;
+			}
+			std::printf("%llu\n", static_cast<unsigned long long>(faces));
+			return 0;
+		}
+	}
+	std::fprintf(stderr, "there is no case %s\n", name.c_str());
+	return 1;
 }
 
 } // namespace
 
-int main(int count, char **names) {
-	const std::string only = count > 1 ? names[1] : "";
-	const std::pair<const char *, void (*)()> benches[] = { { "boxes", bench_boxes }, { "threads", bench_threads }, { "operations", bench_operations },
-		{ "tower", bench_tower }, { "shipped", bench_shipped } };
-	for (const auto &[name, run] : benches) {
+int main(int count, char **arguments) {
+	const std::string only = count > 1 ? arguments[1] : "";
+	if (only == "names") {
+		for (const Case &named : all_cases()) {
+			std::printf("%s\n", named.name);
+		}
+		return 0;
+	}
+	if (only == "derive" && count == 4) {
+		return derive_case(arguments[2], std::atoi(arguments[3]));
+	}
+	const std::pair<const char *, void (*)()> groups[] = { { "boxes", bench_boxes }, { "operations", bench_operations }, { "buildings", bench_buildings },
+		{ "shipped", bench_shipped }, { "threads", bench_threads } };
+	for (const auto &[name, run] : groups) {
 		if (only.empty() || only == name) {
 			run();
 		}
