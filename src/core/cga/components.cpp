@@ -295,11 +295,10 @@ Shape face_shape(const Shape &parent, const Geometry &geometry, std::span<const 
 	const glm::dvec3 extent = geometry.high - geometry.low;
 	const double flat = 1e-9 * (extent.x + extent.y + extent.z);
 	const bool is_smooth = geometry.corners != nullptr && geometry.corners->normals != nullptr;
-	if (faces.size() == 1 && first.loop_count == 1 && !is_smooth) {
-		if (const Geometry *face = outline_in_frame(geometry, first, frame, flat, arena)) {
-			set_geometry(shape, face);
-			return shape;
-		}
+	const bool is_plain = faces.size() == 1 && first.loop_count == 1 && !is_smooth;
+	if (const Geometry *face = is_plain ? outline_in_frame(geometry, first, frame, flat, arena) : nullptr) {
+		set_geometry(shape, face);
+		return shape;
 	}
 	builder.begin(geometry, glm::transpose(frame.axes));
 	for (const uint32_t face : faces) {
