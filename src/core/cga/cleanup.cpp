@@ -12,6 +12,7 @@
 #include "core/cga/disjoint_sets.h"
 #include "core/cga/edges.h"
 #include "core/cga/face_groups.h"
+#include "core/cga/junctions.h"
 #include "core/geometry/polygon.h"
 
 namespace pcg::cga {
@@ -151,6 +152,9 @@ void clean_up(Shape &shape, const Cleanup &cleanup, GeometryBuilder &builder, Ar
 	}
 	const double tolerance = glm::clamp(cleanup.tolerance, 0.0, 1.0);
 	const double degrees = std::max(10.0 * tolerance, 1e-3);
+	if (cleanup.edges) { // neighbours that share part of an edge only are neighbours as well
+		geometry = with_junctions(*geometry, tolerance, degrees, builder, arena);
+	}
 	IndexedFaces indexed = index_faces(*geometry, tolerance);
 	if (cleanup.faces) {
 		drop_doubles(indexed);

@@ -79,7 +79,8 @@ public:
 	Look &own_look();
 	void own_attributes();
 	// inline: runs the body and the rules that it calls at once; what comes of it is the current shape.
-	Flow run_inline(Chunk body);
+	enum class Merge : uint32_t { Append, Unify, Recompose };
+	Flow run_inline(Chunk body, Merge strategy);
 	// "0;2;1;": the way to the shape whose rule runs.
 	std::string tree_key() const;
 	// The current shape's random numbers begin anew.
@@ -126,7 +127,9 @@ private:
 	bool run_rule(const Pending &pending);
 	void make_current(const Shape &other);
 	void run_now();
-	void merge(std::span<const Shape> leaves);
+	void merge(std::span<const Shape> leaves, Merge strategy);
+	void unify(std::span<const Geometry *> parts);
+	void connect_parts();
 	Flow call_leaf();
 	void add_leaf(const Shape &leaf);
 	// False: there are too many, or the derivation was stopped.

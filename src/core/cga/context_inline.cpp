@@ -3,7 +3,10 @@
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
 
+#include "core/cga/cleanup.h"
 #include "core/cga/context.h"
+#include "core/cga/junctions.h"
+#include "core/cga/unite.h"
 
 // Successors that become the current shape (CGA reference: op_inline), and what the interpreter asks for between them.
 namespace pcg::cga {
@@ -47,7 +50,7 @@ void Context::run_now() {
 	}
 }
 
-Flow Context::run_inline(Chunk body) {
+Flow Context::run_inline(Chunk body, Merge strategy) {
 	std::vector<Shape> leaves;
 	std::vector<Shape> *const outer_collected = _collected;
 	std::vector<Pending> outer_children = std::move(_children);
@@ -69,7 +72,7 @@ Flow Context::run_inline(Chunk body) {
 	if (vm.has_failed() || _is_stopped) {
 		return Flow::Stop;
 	}
-	merge(leaves);
+	merge(leaves, strategy);
 	return flow;
 }
 
@@ -78,13 +81,14 @@ namespace {
 // Geometries one behind the other; nothing is joined.
 class Appender {
 public:
-	Appender(Arena &arena, std::span<const Shape> leaves) : _arena(arena) {
-		for (const Shape &leaf : leaves) {
-			if (leaf.geometry != nullptr) {
-				_result.point_count += leaf.geometry->point_count;
-				_result.loop_count += leaf.geometry->loop_count;
-				_result.face_count += leaf.geometry->face_count;
-				_has_corners |= leaf.geometry->corners != nullptr;
+	Appender(Arena &arena, std::span<const Geometry *const> parts) : _arena(arena) {
+		for (const Geometry *part : parts) {
+			if (part != nullptr) {
+				_result.point_count += part->point_count;
+				_result.loop_count += part->loop_count;
+				_result.face_count += part->face_count;
+				_has_corners |= part->corners != nullptr;
+				_is_closed &= part->is_closed;
 			}
 		}
 		_points = arena.allocate<glm::dvec3>(_result.point_count);
@@ -115,12 +119,12 @@ public:
 		_face += source.face_count;
 	}
 
-	const Geometry *finish(bool is_closed) {
+	const Geometry *finish() {
 		_result.points = _points;
 		_result.loop_ends = _loop_ends;
 		_result.faces = _faces;
 		_result.corners = _corners;
-		_result.is_closed = is_closed;
+		_result.is_closed = _is_closed;
 		_result.low = glm::dvec3(INFINITY);
 		_result.high = glm::dvec3(-INFINITY);
 		for (uint32_t i = 0; i < _result.point_count; ++i) {
@@ -166,14 +170,23 @@ private:
 	uint32_t *_loop_ends = nullptr;
 	GeometryFace *_faces = nullptr;
 	CornerData *_corners = nullptr;
-	bool _has_corners = false;
+	bool _has_corners = false, _is_closed = true;
 	uint32_t _point = 0, _loop = 0, _face = 0;
 };
+
+constexpr double most_unite_cost = 1e7; // a second or two
+
+const Geometry *moved(const Geometry &part, const Frame &to_target, uint16_t material, Arena &arena) {
+	const Geometry *const one = &part;
+	Appender appender(arena, std::span(&one, 1));
+	appender.add(part, to_target, material);
+	return appender.finish();
+}
 
 } // namespace
 
 // One leaf is taken as it is; of several the geometry, each face with the material that its leaf had.
-void Context::merge(std::span<const Shape> leaves) {
+void Context::merge(std::span<const Shape> leaves, Merge strategy) {
 	const Shape outer = shape;
 	if (leaves.size() == 1) {
 		make_current(leaves[0]);
@@ -185,25 +198,57 @@ void Context::merge(std::span<const Shape> leaves) {
 		return;
 	}
 	const bool has_one_look = std::ranges::all_of(leaves, [&](const Shape &leaf) { return is_same(*leaf.look, *leaves[0].look); });
-	Appender appender(arena, leaves);
-	bool is_closed = true;
+	std::vector<const Geometry *> parts;
 	for (const Shape &leaf : leaves) {
-		const Geometry *geometry = baked(leaf, arena);
-		if (geometry != nullptr) {
+		parts.push_back(baked(leaf, arena));
+		if (parts.back() != nullptr) {
 			const Frame target = outer.frame(), own = leaf.frame();
 			const Frame to_target = { glm::transpose(target.axes) * own.axes, target.to_local(own.origin) };
-			appender.add(*geometry, to_target, has_one_look ? 0 : model.materials().look_material(*leaf.look));
-			is_closed &= geometry->is_closed;
+			parts.back() = moved(*parts.back(), to_target, has_one_look ? 0 : model.materials().look_material(*leaf.look), arena);
 		}
 	}
-	const Geometry *merged = appender.finish(is_closed);
+	if (strategy == Merge::Unify) {
+		unify(parts);
+	}
+	Appender appender(arena, parts);
+	for (const Geometry *part : parts) {
+		if (part != nullptr) {
+			appender.add(*part, Frame(), 0);
+		}
+	}
+	const Geometry *merged = appender.finish();
 	if (has_one_look && !leaves.empty()) {
 		shape.look = leaves[0].look;
 	}
-	if (merged != nullptr) {
-		set_geometry(shape, merged);
-	} else {
+	if (merged == nullptr) {
 		shape.geometry = nullptr;
+		return;
+	}
+	set_geometry(shape, merged);
+	if (strategy != Merge::Append) {
+		connect_parts();
+	}
+}
+
+void Context::unify(std::span<const Geometry *> parts) {
+	if (unite_cost(parts) > most_unite_cost) {
+		vm.warn("too-large", "the parts of inline(unify) have too many faces: what lies inside of others stays", "unify simple bodies and insert models later");
+		return;
+	}
+	if (!std::ranges::all_of(parts, [](const Geometry *part) { return part == nullptr || can_unite(*part); })) {
+		vm.warn("not-closed", "a part of inline(unify) is neither flat nor closed: what lies inside of it stays", "unify bodies, such as what extrude makes");
+	}
+	unite(parts, builder, arena);
+}
+
+// Vertices in one place become one, and neighbours share their edges.
+void Context::connect_parts() {
+	const bool is_closed = shape.geometry->is_closed;
+	clean_up(shape, {}, builder, arena);
+	if (shape.geometry != nullptr) {
+		Geometry *welded = arena.make(*shape.geometry);
+		welded->is_closed = is_closed; // clean_up() did not see the neighbours that share parts of edges
+		shape.geometry = with_junctions(*welded, 0.0, 180.0, builder, arena);
 	}
 }
 

@@ -46,6 +46,11 @@ FlatFace::FlatFace(const Geometry &geometry, uint32_t face, View view) : _geomet
 	}
 }
 
+glm::dvec2 FlatFace::flat(glm::dvec3 point) const {
+	const glm::dvec3 way = point - _origin;
+	return { glm::dot(_x, way), glm::dot(_y, way) };
+}
+
 void FlatFace::add_point(GeometryBuilder &builder, glm::dvec2 point) const {
 	for (size_t l = 0; l < _loops.size(); ++l) {
 		for (size_t i = 0; i < _loops[l].size(); ++i) {

@@ -18,6 +18,8 @@ public:
 	const GeometryFace &face() const { return _geometry->faces[_face]; }
 
 	const Geometry &geometry() const { return *_geometry; }
+	// Any point of the plane, seen in the face's own metres.
+	glm::dvec2 flat(glm::dvec3 point) const;
 
 	// Adds a polygon in the face's plane as a face of the same material. Corners of the face come back to the last bit and with what they carry;
 	// what new ones carry lies between, if the builder began with this face's geometry.

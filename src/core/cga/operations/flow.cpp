@@ -34,11 +34,8 @@ Flow label(Vm &vm, const Args &args) {
 
 Flow inlined(Vm &vm, const Args &args) {
 	Context &context = Context::of(vm);
-	if (args[0].word == 1) {
-		vm.warn("not-supported", "inline(unify) appends here: faces inside of others stay", "use inline(append) and cleanupGeometry where the parts touch only");
-	}
 	const auto entries = context.vm.entries(*args.block);
-	return entries.empty() ? Flow::Next : context.run_inline(entries[0].body);
+	return entries.empty() ? Flow::Next : context.run_inline(entries[0].body, Context::Merge(args[0].word));
 }
 
 } // namespace
@@ -50,7 +47,8 @@ void add_flow_operations(Dialect &dialect) {
 	operations.push_back({ "report", { { "key", Text }, { "value", Any } }, BlockKind::None, report,
 			"Adds a number to the model's list of reports: sum, average, smallest, largest and count for each key." });
 	operations.push_back({ "inline", { { "strategy", Word, "append unify recompose" } }, BlockKind::Bodies, inlined,
-			"Runs a rule or operations at once; the shapes that come out are put together and become the current shape." });
+			"Runs a rule or operations at once; the shapes that come out are put together and become the current shape: as they are, as one body, or with "
+			"common vertices where they touch." });
 	operations.push_back({ "print", { { "value", Any } }, BlockKind::None, print, "Writes a value to the model's list of messages." });
 	operations.push_back({ "label", { { "name", Text } }, BlockKind::None, label,
 			"Makes the shape, as it is now, known to queries that ask for this label: inside, overlaps, touches, minimumDistance, contextCount, contextCompare." });
