@@ -7,6 +7,7 @@
 #include "core/city/ground.h"
 #include "core/city/lot_messages.h"
 #include "core/city/lot_semantics.h"
+#include "core/lang/program.h"
 
 namespace pcg {
 
@@ -70,6 +71,12 @@ const LotRules *rules_of(const RulesByType &rules, const std::string &type) {
 	return found != rules.end() && found->second.program ? &found->second : nullptr;
 }
 
+bool has_height(const Program &program) {
+	return std::any_of(program.attributes.begin(), program.attributes.end(), [](const AttributeInfo &attribute) {
+		return attribute.kind == AttributeInfo::Kind::Attribute && attribute.name == "height";
+	});
+}
+
 cga::InitialShape initial_shape(const Layout &layout, LotId id, const LotRules &rules) {
 	const Lot &lot = layout.lot(id);
 	std::vector<glm::dvec3> outline(lot.polygon.begin(), lot.polygon.end());
@@ -78,6 +85,9 @@ cga::InitialShape initial_shape(const Layout &layout, LotId id, const LotRules &
 	shape.name = lot_name(layout, id);
 	shape.start_rule = rules.start_rule;
 	shape.attributes = rules.attributes;
+	if (lot.height > 0.0f && rules.program && has_height(*rules.program)) {
+		shape.attributes.emplace_back("height", double(lot.height));
+	}
 	return shape;
 }
 

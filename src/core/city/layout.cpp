@@ -36,23 +36,6 @@ StreetPlan plan_of(const LayoutParameters &p) {
 	return plan;
 }
 
-bool assign_types(Layout &layout, const LayoutParameters &p, Diagnostics &diagnostics) {
-	std::vector<glm::vec2> positions;
-	for (const Lot &lot : layout.lots) {
-		glm::vec3 middle(0.0f);
-		for (const glm::vec3 &corner : lot.polygon) {
-			middle += corner / float(lot.polygon.size());
-		}
-		const glm::vec3 fraction = (middle - layout.min) / (layout.max - layout.min + glm::vec3(0.0f, 1.0f, 0.0f));
-		positions.push_back({ fraction.x, fraction.z });
-	}
-	const std::vector<std::string> types = assign_land_use(positions, p.land_use, p.districts, p.seed, diagnostics);
-	for (size_t i = 0; i < types.size(); ++i) {
-		layout.lots[i].type = types[i];
-	}
-	return !types.empty();
-}
-
 } // namespace
 
 bool check_parameters(const LayoutParameters &p, Diagnostics &diagnostics) {
@@ -74,6 +57,29 @@ bool check_parameters(const LayoutParameters &p, Diagnostics &diagnostics) {
 		return false;
 	}
 	return is_good;
+}
+
+bool assign_types(Layout &layout, const LayoutParameters &p, Diagnostics &diagnostics) {
+	std::vector<glm::vec2> positions;
+	std::vector<size_t> lots;
+	for (size_t i = 0; i < layout.lots.size(); ++i) {
+		const Lot &lot = layout.lots[i];
+		if (!lot.type.empty()) {
+			continue;
+		}
+		glm::vec3 middle(0.0f);
+		for (const glm::vec3 &corner : lot.polygon) {
+			middle += corner / float(lot.polygon.size());
+		}
+		const glm::vec3 fraction = (middle - layout.min) / (layout.max - layout.min + glm::vec3(0.0f, 1.0f, 0.0f));
+		positions.push_back({ fraction.x, fraction.z });
+		lots.push_back(i);
+	}
+	const std::vector<std::string> types = assign_land_use(positions, p.land_use, p.districts, p.seed, diagnostics);
+	for (size_t i = 0; i < types.size(); ++i) {
+		layout.lots[lots[i]].type = types[i];
+	}
+	return types.size() == lots.size();
 }
 
 std::optional<Layout> make_layout(const LayoutParameters &parameters, Diagnostics &diagnostics) {

@@ -51,6 +51,7 @@ struct Lot {
 	// Width in metres of the street that the edge lies on, 0 = none. The front has one; corner lots have two or more such edges.
 	std::vector<float> street_widths;
 	uint64_t seed = 0; // depends on the layout's seed and the lot's id alone
+	float height = 0.0f; // metres of what stands there, for rules with an attribute `height`; 0 = theirs to say
 };
 
 struct CityBlock {
@@ -101,6 +102,9 @@ bool check_parameters(const LayoutParameters &parameters, Diagnostics &diagnosti
 
 // Nothing, and errors that name the parameter and its limits, if the parameters make no city.
 std::optional<Layout> make_layout(const LayoutParameters &parameters, Diagnostics &diagnostics);
+
+// Gives a type to each lot that has none. False, with errors, if land use says nothing sensible.
+bool assign_types(Layout &layout, const LayoutParameters &parameters, Diagnostics &diagnostics);
 
 // How many blocks the parameters ask for.
 uint32_t block_count(const LayoutParameters &parameters);

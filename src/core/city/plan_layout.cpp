@@ -175,7 +175,7 @@ private:
 		for (const Parcel &parcel : lots) {
 			const LotId lot = LotId(_layout.lots.size());
 			_layout.blocks.back().lots.push_back(lot);
-			_layout.lots.push_back({ id, {}, to_ground(parcel.outline), parcel.street_widths, derive_seed(_p.seed, index_of(lot)) });
+			_layout.lots.push_back({ id, {}, to_ground(parcel.outline), parcel.street_widths, derive_seed(_p.seed, index_of(lot)), 0.0f });
 		}
 	}
 

@@ -33,6 +33,8 @@ public:
 	std::optional<std::vector<JsonValue>> elements() const;
 
 	bool is_number() const { return _value->is_number(); }
+	bool is_text() const { return _value->is_string(); }
+	bool is_null() const { return _value->is_null(); }
 	// Of an object. `member` is nothing without an error if it is missing; `required` reports that.
 	std::optional<JsonValue> member(std::string_view key) const;
 	std::optional<JsonValue> required(std::string_view key) const;

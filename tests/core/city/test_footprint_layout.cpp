@@ -1,0 +1,112 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "core/base/random.h"
+#include "core/city/footprint_layout.h"
+
+using namespace pcg;
+
+namespace {
+
+Footprint box(double x0, double y0, double x1, double y1, const std::string &name = "feature 0") {
+	Footprint footprint;
+	footprint.outline = { { x0, y0 }, { x1, y0 }, { x1, y1 }, { x0, y1 } };
+	footprint.name = name;
+	return footprint;
+}
+
+// Of the plan, doubled; positive for counter-clockwise seen from above.
+double area(const std::vector<glm::vec3> &polygon) {
+	double sum = 0.0;
+	for (size_t i = 0; i < polygon.size(); ++i) {
+		const glm::dvec3 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+		sum += (a.x * -b.z - b.x * -a.z) / 2.0;
+	}
+	return sum;
+}
+
+LayoutParameters parameters() {
+	LayoutParameters p;
+	p.street_width = 8.0f;
+	p.pavement_width = 2.0f;
+	p.land_use = { { "house", 1.0 }, { "school", 0.0 } };
+	return p;
+}
+
+Layout make(const std::vector<Footprint> &footprints, size_t warnings = 0) {
+	Diagnostics diagnostics;
+	std::optional<Layout> layout = layout_of_footprints(footprints, parameters(), diagnostics);
+	CHECK(diagnostics.warning_count() == warnings);
+	REQUIRE(layout.has_value());
+	return std::move(*layout);
+}
+
+std::string refused(const std::vector<Footprint> &footprints) {
+	Diagnostics diagnostics;
+	CHECK_FALSE(layout_of_footprints(footprints, parameters(), diagnostics).has_value());
+	return diagnostics.is_empty() ? std::string() : diagnostics.list()[0].message;
+}
+
+} // namespace
+
+TEST_CASE("a footprint is a lot whose front is its longest open side, with open ground around") {
+	const Layout layout = make({ box(0, 0, 10, 20) });
+	REQUIRE(layout.lots.size() == 1);
+	CHECK(layout.lots[0].type == "house");
+	CHECK(layout.lots[0].polygon == std::vector<glm::vec3>{ { 10, 0, 0 }, { 10, 0, -20 }, { 0, 0, -20 }, { 0, 0, 0 } });
+	CHECK(layout.lots[0].street_widths == std::vector<float>{ 8, 8, 8, 8 });
+	CHECK(layout.min == glm::vec3(-10, 0, -30)); // pavement and street beyond
+	CHECK(layout.max == glm::vec3(20, 0, 10));
+	double open = 0.0;
+	for (const Ground &ground : layout.ground) {
+		open += area(ground.polygon);
+	}
+	CHECK(open == doctest::Approx(30.0 * 40.0 - 200.0));
+}
+
+TEST_CASE("walls that neighbours share lie on no street; types and heights are kept") {
+	Footprint school = box(10, 0, 20, 12, "feature 1");
+	school.type = "school";
+	school.height = 9.0f;
+	Footprint church = box(20, 0, 30, 12, "feature 2");
+	church.type = "church"; // for which there are no rules
+	const Layout layout = make({ box(0, 0, 10, 12), school, church });
+	CHECK(layout.lots[1].type == "school");
+	CHECK(layout.lots[1].height == 9.0f);
+	CHECK(layout.lots[1].street_widths == std::vector<float>{ 8, 0, 8, 0 });
+	CHECK(layout.lots[2].type == "house");
+}
+
+TEST_CASE("many footprints and their open ground cover the map") {
+	Random random(5);
+	std::vector<Footprint> footprints;
+	double built = 0.0;
+	for (int i = 0; i < 400; ++i) { // one to a square of 30 m
+		const double x = 30.0 * (i % 20), y = 30.0 * (i / 20), width = random.uniform(5, 25), depth = random.uniform(5, 25);
+		footprints.push_back(box(x, y, x + width, y + depth));
+		built += width * depth;
+	}
+	const Layout layout = make(footprints);
+	double open = 0.0;
+	for (const Ground &ground : layout.ground) {
+		open += area(ground.polygon);
+	}
+	CHECK(open + built == doctest::Approx(area(layout.outline)).epsilon(1e-4));
+	CHECK(std::all_of(layout.lots.begin(), layout.lots.end(), [](const Lot &lot) { return lot.street_widths[0] > 0.0f; }));
+}
+
+TEST_CASE("footprints that overlap are warned of by name, and what cannot be built is refused") {
+	make({ box(0, 0, 10, 10), box(5, 5, 15, 15, "feature 1") }, 1);
+	CHECK(refused({}).find("no footprints") != std::string::npos);
+	CHECK(refused({ box(0, 0, 0.5, 0.5) }) == "feature 0: its outline has less than 1 square metre");
+	CHECK(refused({ box(0, 0, 1e6, 10) }).find("50 km") != std::string::npos);
+	Footprint bow = box(0, 0, 10, 10);
+	bow.outline = { { 0, 0 }, { 20, 0 }, { 20, 20 }, { 10, -5 } };
+	CHECK(refused({ bow }).find("crosses itself") != std::string::npos);
+	const std::vector<Footprint> ring = { box(10, 10, 20, 20, "feature 7"), box(0, 0, 30, 10), box(0, 20, 30, 30), box(0, 10, 10, 20), box(20, 10, 30, 20) };
+	CHECK(refused(ring).find("feature 7: it is walled in") != std::string::npos);
+}
