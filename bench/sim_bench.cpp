@@ -1,8 +1,13 @@
-// The simulation alone, on straight lines: 100,000 persons in 10,000 buildings who go to work or school, shop and come home.
+// The simulation alone, on straight lines: 100,000 persons in 10,000 buildings who go to work or school, shop and come home; and the same for
+// 1,000, 10,000 and a million, to see what a person costs.
 // Peer: SUMO, whose non-interacting persons take 6.8 s for 12 h of 20,000 (in persons x hours a second).
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
+#include <new>
 #include <string>
+
+#include <sys/resource.h>
 
 #include "core/base/random.h"
 #include "core/navigation/straight_line_paths.h"
@@ -10,10 +15,20 @@
 
 using namespace pcg;
 
+// Counts what is asked for, to show that steps ask for nothing.
+static uint64_t allocations = 0;
+
+void *operator new(size_t size) {
+	++allocations;
+	void *memory = std::malloc(size);
+	return memory ? memory : (std::abort(), nullptr);
+}
+void operator delete(void *memory) noexcept { std::free(memory); }
+void operator delete(void *memory, size_t) noexcept { std::free(memory); }
+
 namespace {
 
-constexpr uint32_t person_count = 100'000;
-constexpr uint32_t building_count = 10'000;
+constexpr uint32_t persons_per_building = 10;
 constexpr uint32_t household_size = 2;
 constexpr double sumo_person_hours_per_second = 20'000.0 * 12.0 / 6.8;
 constexpr int32_t minute = 60'000;
@@ -31,18 +46,19 @@ void print(const std::string &name, double value, const char *unit, double peer)
 	}
 }
 
-void build_city(CityModel &city) {
+void build_city(CityModel &city, uint32_t building_count) {
 	const TypeId type = city.types.add("house");
 	for (uint32_t i = 0; i < building_count; ++i) {
 		Entrance entrance;
 		entrance.building = city.add_building();
 		entrance.type = type;
-		entrance.position = { float(i % 100) * 30.0f, 0.0f, float(i / 100) * 30.0f };
+		entrance.position = { float(i % 100) * 30.0f, 0.0f, float(i / 100 % 100) * 30.0f };
 		city.add_entrance(entrance);
 	}
 }
 
-void build_population(Population &population, Random &random) {
+void build_population(Population &population, uint32_t person_count, Random &random) {
+	const uint32_t building_count = person_count / persons_per_building;
 	for (uint32_t i = 0; i < person_count; ++i) {
 		if (i % household_size == 0) {
 			Household household;
@@ -69,7 +85,8 @@ void add(AgendaSet &agendas, TaskKind kind, int32_t start, int32_t end, Building
 
 // Home, work, a shop on the way, home, with times that differ from person to person.
 void build_agendas(const Population &population, AgendaSet &agendas, Random &random) {
-	for (uint32_t i = 0; i < person_count; ++i) {
+	const uint32_t building_count = uint32_t(population.persons.size()) / persons_per_building;
+	for (uint32_t i = 0; i < population.persons.size(); ++i) {
 		const BuildingId home = population.home_of(PersonId(i));
 		const BuildingId work = BuildingId(uint32_t(random.index(building_count)));
 		const BuildingId shop = BuildingId(uint32_t(random.index(building_count)));
@@ -87,26 +104,34 @@ void build_agendas(const Population &population, AgendaSet &agendas, Random &ran
 	agendas.first_floating_task.push_back(0);
 }
 
-void measure_peak(Simulation &simulation) {
+// 60 frames a second at 60 times real time, when the most are on their way.
+void measure_peak(Simulation &simulation, const std::string &name) {
 	simulation.jump_to(SimTime::at(0, Duration::hours(8)));
-	const auto start = std::chrono::steady_clock::now();
+	simulation.step(Duration::minutes(10));
 	constexpr int frames = 600;
+	const uint64_t before = allocations;
+	const auto start = std::chrono::steady_clock::now();
 	for (int frame = 0; frame < frames; ++frame) {
-		simulation.step(Duration::seconds(1.0)); // 60 frames a second at 60 times real time
+		simulation.step(Duration::seconds(1.0));
 	}
-	print("sim_100k_frame_at_peak", seconds_since(start) / frames * 1000.0, "ms", 0.0);
+	print(name + "_frame_at_peak", seconds_since(start) / frames * 1000.0, "ms", 0.0);
+	print(name + "_allocations_per_frame", double(allocations - before) / frames, "allocations", 0.0);
 }
 
-} // namespace
+double resident_mb() {
+	rusage usage{};
+	getrusage(RUSAGE_SELF, &usage);
+	return double(usage.ru_maxrss) / 1024.0;
+}
 
-int main() {
+void measure(uint32_t person_count, const std::string &name) {
 	Random random(1);
 	CityModel city;
 	Population population;
 	AgendaSet agendas;
 	AgentHost host;
-	build_city(city);
-	build_population(population, random);
+	build_city(city, person_count / persons_per_building);
+	build_population(population, person_count, random);
 	build_agendas(population, agendas, random);
 	const StraightLinePaths paths(city);
 	SimulationSettings settings;
@@ -115,17 +140,27 @@ int main() {
 
 	auto start = std::chrono::steady_clock::now();
 	simulation.start(SimTime{});
-	print("sim_100k_start", seconds_since(start), "s", 0.0);
+	print(name + "_start", seconds_since(start), "s", 0.0);
 	start = std::chrono::steady_clock::now();
 	simulation.advance_to(SimTime::at(1, {}));
 	const double day = seconds_since(start);
-	print("sim_100k_day", day, "s", 0.0);
-	print("sim_100k_person_hours_per_second", person_count * 24.0 / day, "person h/s", sumo_person_hours_per_second);
-	print("sim_100k_trips", double(simulation.statistics().trips), "trips", 0.0);
+	print(name + "_day", day, "s", 0.0);
+	print(name + "_person_hours_per_second", person_count * 24.0 / day, "person h/s", sumo_person_hours_per_second);
+	print(name + "_trips", double(simulation.statistics().trips), "trips", 0.0);
 	start = std::chrono::steady_clock::now();
 	simulation.jump_to(SimTime::at(2, Duration::hours(8)));
-	print("sim_100k_jump", seconds_since(start) * 1000.0, "ms", 0.0);
-	measure_peak(simulation);
+	print(name + "_jump", seconds_since(start) * 1000.0, "ms", 0.0);
+	measure_peak(simulation, name);
+	print(name + "_memory", resident_mb(), "MB", 0.0);
+}
+
+} // namespace
+
+int main() {
+	measure(1'000, "sim_1k");
+	measure(10'000, "sim_10k");
+	measure(100'000, "sim_100k");
+	measure(1'000'000, "sim_1m");
 	print("sim_bytes_per_person", double(sizeof(PersonRecord)), "B", 0.0);
 	return 0;
 }

@@ -44,13 +44,15 @@ PlannedEntry hole_at(std::span<const Task> tasks, SimTime time) {
 
 PlannedEntry planned_entry_at(std::span<const Task> tasks, SimTime time) {
 	const int64_t today = time.day();
-	const int64_t since_midnight = time.time_of_day().ms;
+	const int64_t since_midnight = time.ms - today * one_day.ms;
+	const int weekday = int(((today % week_days) + week_days) % week_days);
+	const DayMask on_today = DayMask(1 << weekday), on_yesterday = DayMask(1 << ((weekday + 6) % 7));
 	for (size_t i = 0; i < tasks.size(); ++i) {
 		const Task &task = tasks[i];
-		if (task.start_ms <= since_midnight && since_midnight < task.end_ms && is_on(task, today)) {
+		if (task.start_ms <= since_midnight && since_midnight < task.end_ms && (task.days & on_today)) {
 			return on_day(tasks, i, today);
 		}
-		if (since_midnight + one_day.ms < task.end_ms && is_on(task, today - 1)) {
+		if (since_midnight + one_day.ms < task.end_ms && (task.days & on_yesterday)) {
 			return on_day(tasks, i, today - 1);
 		}
 	}

@@ -121,7 +121,10 @@ public:
 	std::vector<PersonId> persons_outside() const;
 	bool is_living(PersonId id) const { return index_of(id) < _persons.size() && !record(id).is_absent(); }
 	// The entry or hole of its agenda, with what was inserted, that holds at that time.
-	PlannedEntry plan_at(PersonId id, SimTime time) const;
+	PlannedEntry plan_at(PersonId id, SimTime time) const {
+		const std::span<const Task> tasks = _agendas.tasks_of(id);
+		return _inserted.is_empty() ? planned_entry_at(tasks, time) : planned_entry_at(tasks, _inserted.of(id), time);
+	}
 	bool is_place_free(ObjectId object) const { return _reservations.is_free(_city, object); }
 
 	const SimulationStatistics &statistics() const { return _statistics; }

@@ -13,11 +13,6 @@ constexpr Duration lateness_allowed = Duration{ 1000 }; // walks and rule files 
 constexpr uint64_t slot_stream = 0x736C6F74; // keeps draws for floating slots apart from those of rules
 }
 
-PlannedEntry Simulation::plan_at(PersonId id, SimTime time) const {
-	const std::span<const Task> tasks = _agendas.tasks_of(id);
-	return _inserted.is_empty() ? planned_entry_at(tasks, time) : planned_entry_at(tasks, _inserted.of(id), time);
-}
-
 PlannedEntry Simulation::entry_of(PersonId id) const {
 	const PersonRecord &person = record(id);
 	uint32_t target = PersonRecord::none;
