@@ -128,6 +128,7 @@ private:
 	void make_current(const Shape &other);
 	void run_now();
 	void merge(std::span<const Shape> leaves, Merge strategy);
+	const Geometry *part_of(const Shape &leaf, uint16_t material);
 	void unify(std::span<const Geometry *> parts);
 	void connect_parts();
 	Flow call_leaf();

@@ -200,12 +200,7 @@ void Context::merge(std::span<const Shape> leaves, Merge strategy) {
 	const bool has_one_look = std::ranges::all_of(leaves, [&](const Shape &leaf) { return is_same(*leaf.look, *leaves[0].look); });
 	std::vector<const Geometry *> parts;
 	for (const Shape &leaf : leaves) {
-		parts.push_back(baked(leaf, arena));
-		if (parts.back() != nullptr) {
-			const Frame target = outer.frame(), own = leaf.frame();
-			const Frame to_target = { glm::transpose(target.axes) * own.axes, target.to_local(own.origin) };
-			parts.back() = moved(*parts.back(), to_target, has_one_look ? 0 : model.materials().look_material(*leaf.look), arena);
-		}
+		parts.push_back(part_of(leaf, has_one_look ? 0 : model.materials().look_material(*leaf.look)));
 	}
 	if (strategy == Merge::Unify) {
 		unify(parts);
@@ -228,6 +223,14 @@ void Context::merge(std::span<const Shape> leaves, Merge strategy) {
 	if (strategy != Merge::Append) {
 		connect_parts();
 	}
+}
+
+// In the current shape's scope; `material` 0: the faces keep theirs.
+const Geometry *Context::part_of(const Shape &leaf, uint16_t material) {
+	const Geometry *geometry = baked(leaf, arena);
+	const Frame target = shape.frame(), own = leaf.frame();
+	const Frame to_target = { glm::transpose(target.axes) * own.axes, target.to_local(own.origin) };
+	return geometry != nullptr ? moved(*geometry, to_target, material, arena) : nullptr;
 }
 
 void Context::unify(std::span<const Geometry *> parts) {
