@@ -285,12 +285,6 @@ Value Vm::evaluate_leaf(Chunk chunk) {
 	return result;
 }
 
-Flow Vm::call_host_rule(RuleId rule, std::span<const Value> args) {
-	_silent_steps = 0;
-	const Flow flow = count_step() ? _host->call_rule(*this, rule, args) : Flow::Stop;
-	return _failed ? Flow::Stop : flow;
-}
-
 Flow Vm::run_body(Chunk chunk) {
 	if (chunk == Chunk::None) {
 		return Flow::Next;

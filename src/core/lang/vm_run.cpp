@@ -32,6 +32,12 @@ bool are_numbers(const Value *arguments, uint32_t count, uint32_t mask) {
 
 } // namespace
 
+Flow Vm::call_host_rule(RuleId rule, std::span<const Value> args) {
+	_silent_steps = 0;
+	const Flow flow = count_step() ? _host->call_rule(*this, rule, args) : Flow::Stop;
+	return _failed ? Flow::Stop : flow;
+}
+
 Flow Vm::call_operation(const Instruction &instruction, uint32_t mask, const Block *block, const Block *second_block) {
 	const OperationSpec &spec = _program->dialect->operations[instruction.extra];
 	Value *const first = _top - instruction.count;
