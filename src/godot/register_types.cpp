@@ -14,7 +14,6 @@
 #include "godot/nodes/pcg_lot.h"
 #include "godot/nodes/pcg_object.h"
 #include "godot/nodes/pcg_zone.h"
-#include "godot/ports/script_builtins.h"
 #include "godot/resources/pcg_district.h"
 #include "godot/resources/pcg_household_table.h"
 #include "godot/resources/pcg_layout.h"
@@ -61,7 +60,6 @@ void terminate_pcg(ModuleInitializationLevel p_level) {
 	}
 	ResourceLoader::get_singleton()->remove_resource_format_loader(rule_set_loader);
 	rule_set_loader.unref();
-	pcg::forget_scripts();
 }
 
 extern "C" GDExtensionBool GDE_EXPORT pcg_library_init(GDExtensionInterfaceGetProcAddress p_get_proc_address,

@@ -2,7 +2,10 @@
 
 #include <map>
 
+#include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/main_loop.hpp>
 #include <godot_cpp/variant/array.hpp>
+#include <godot_cpp/variant/string_name.hpp>
 
 #include "core/agenda/host_builtins.h"
 #include "core/sim/dialect.h"
@@ -17,8 +20,20 @@ namespace {
 struct ScriptBuiltin {
 	std::vector<HostParam> params;
 	int result = -1; // a HostType; -1: an operation
-	Callable callable;
 };
+
+// Name to Callable. Kept by the main loop, since that goes before the languages do: a Callable of a script must not outlive its language.
+Dictionary callables() {
+	const StringName key("_pcg_script_builtins");
+	MainLoop *loop = Engine::get_singleton()->get_main_loop();
+	if (loop == nullptr) {
+		return Dictionary();
+	}
+	if (!loop->has_meta(key)) {
+		loop->set_meta(key, Dictionary());
+	}
+	return loop->get_meta(key);
+}
 
 HostDialect &host_dialect() {
 	static HostDialect host(pcg_dialect());
@@ -74,7 +89,8 @@ bool is_same(const ScriptBuiltin &a, const ScriptBuiltin &b) {
 // What the script gives; fails the call where it is gone.
 Variant call_script(HostCall &call, const std::string &name) {
 	const ScriptBuiltin &builtin = builtins()[name];
-	if (!builtin.callable.is_valid()) {
+	const godot::Callable callable = callables().get(to_godot(std::string_view(name)), godot::Callable());
+	if (!callable.is_valid()) {
 		call.fail("the script behind '" + name + "' is gone", "add it anew before the rules run");
 		return Variant();
 	}
@@ -94,7 +110,7 @@ Variant call_script(HostCall &call, const std::string &name) {
 				break;
 		}
 	}
-	return builtin.callable.callv(arguments);
+	return callable.callv(arguments);
 }
 
 HostValue function_value(HostCall &call, const std::string &name) {
@@ -141,13 +157,9 @@ void run_operation(HostCall &call, const std::string &name) {
 }
 
 // False: it is new, and the language has to learn it.
-bool replace(const std::string &name, const ScriptBuiltin &builtin) {
+bool is_known(const std::string &name, const ScriptBuiltin &builtin) {
 	const auto known = builtins().find(name);
-	if (known == builtins().end() || !is_same(known->second, builtin)) {
-		return false;
-	}
-	known->second = builtin;
-	return true;
+	return known != builtins().end() && is_same(known->second, builtin);
 }
 
 } // namespace
@@ -155,11 +167,10 @@ bool replace(const std::string &name, const ScriptBuiltin &builtin) {
 const Dialect &agenda_dialect() { return host_dialect().dialect(); }
 bool has_script_builtins() { return !builtins().empty(); }
 
-bool add_script_function(const String &p_name, const Dictionary &parameters, Variant::Type result, const Callable &function, Diagnostics &diagnostics) {
+bool add_script_function(const String &p_name, const Dictionary &parameters, Variant::Type result, const godot::Callable &function, Diagnostics &diagnostics) {
 	const std::string name = from_godot(p_name);
 	ScriptBuiltin builtin;
 	builtin.result = host_type(result);
-	builtin.callable = function;
 	if (builtin.result < 0) {
 		diagnostics.error("host-parameters", "'" + name + "' has a result that the agenda language does not know", "give TYPE_FLOAT, TYPE_BOOL or TYPE_STRING");
 		return false;
@@ -167,37 +178,32 @@ bool add_script_function(const String &p_name, const Dictionary &parameters, Var
 	if (!read_params(name, parameters, builtin.params, diagnostics)) {
 		return false;
 	}
-	if (!replace(name, builtin)) {
+	if (!is_known(name, builtin)) {
 		const auto call = [name](HostCall &host_call) { return function_value(host_call, name); };
 		if (!host_dialect().add(HostFunction{ name, builtin.params, HostType(builtin.result), call, "Added by a script." }, diagnostics)) {
 			return false;
 		}
 		builtins()[name] = builtin;
 	}
+	callables()[p_name] = function;
 	return true;
 }
 
-bool add_script_operation(const String &p_name, const Dictionary &parameters, const Callable &function, Diagnostics &diagnostics) {
+bool add_script_operation(const String &p_name, const Dictionary &parameters, const godot::Callable &function, Diagnostics &diagnostics) {
 	const std::string name = from_godot(p_name);
 	ScriptBuiltin builtin;
-	builtin.callable = function;
 	if (!read_params(name, parameters, builtin.params, diagnostics)) {
 		return false;
 	}
-	if (!replace(name, builtin)) {
+	if (!is_known(name, builtin)) {
 		const auto call = [name](HostCall &host_call) { run_operation(host_call, name); };
 		if (!host_dialect().add(HostOperation{ name, builtin.params, Phase::Generation, call, "Added by a script." }, diagnostics)) {
 			return false;
 		}
 		builtins()[name] = builtin;
 	}
+	callables()[p_name] = function;
 	return true;
-}
-
-void forget_scripts() {
-	for (auto &[name, builtin] : builtins()) {
-		builtin.callable = Callable();
-	}
 }
 
 } // namespace pcg

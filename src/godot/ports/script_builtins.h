@@ -27,7 +27,4 @@ bool add_script_function(const godot::String &name, const godot::Dictionary &par
 // `start` and `end` (seconds of the day).
 bool add_script_operation(const godot::String &name, const godot::Dictionary &parameters, const godot::Callable &function, Diagnostics &diagnostics);
 
-// Lets go of the scripts, before the engine does; the names stay known.
-void forget_scripts();
-
 } // namespace pcg

@@ -49,14 +49,14 @@ Ref<PCGRuleSet> PCGRuleSet::from_file(const String &p_path) {
 	return rules;
 }
 
-bool PCGRuleSet::add_function(const String &p_name, const Dictionary &p_parameters, int p_result, const Callable &p_function) {
+bool PCGRuleSet::add_function(const String &p_name, const Dictionary &p_parameters, int p_result, const godot::Callable &p_function) {
 	Diagnostics diagnostics;
 	const bool is_added = add_script_function(p_name, p_parameters, Variant::Type(p_result), p_function, diagnostics);
 	report(diagnostics);
 	return is_added;
 }
 
-bool PCGRuleSet::add_operation(const String &p_name, const Dictionary &p_parameters, const Callable &p_operation) {
+bool PCGRuleSet::add_operation(const String &p_name, const Dictionary &p_parameters, const godot::Callable &p_operation) {
 	Diagnostics diagnostics;
 	const bool is_added = add_script_operation(p_name, p_parameters, p_operation, diagnostics);
 	report(diagnostics);
