@@ -18,6 +18,7 @@ public:
 	bool is_empty() const { return _homes.empty(); } // the city has no homes at all
 	uint64_t total() const { return _total; } // persons that all homes together house
 	uint64_t free() const { return _free; }
+	uint32_t most_free() const { return _most_free[1]; } // places in the home that has most of them left
 	uint32_t largest() const { return _largest; } // capacity of the largest home when it was empty
 	// A building with room for so many persons, which are taken off it; Invalid if there is none.
 	BuildingId take(Random &random, uint32_t persons);

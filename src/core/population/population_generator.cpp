@@ -47,7 +47,7 @@ public:
 			persons += draw.members.size();
 			if (!house(draw, number)) {
 				_homeless += draw.members.size();
-				if (_homes.free() == 0) {
+				if (_homes.most_free() < _smallest) {
 					count_unhoused(number + 1, persons);
 					break;
 				}
@@ -138,7 +138,20 @@ private:
 		return true;
 	}
 
-	// All homes are full: what else was asked for has no place either.
+	// Members of the smallest household that occurs.
+	static uint32_t smallest_of(const HouseholdTable &table) {
+		uint32_t smallest = max_members;
+		for (const HouseholdPattern &pattern : table.patterns) {
+			uint32_t members = 0;
+			for (const MemberGroup &group : pattern.groups) {
+				members += group.count;
+			}
+			smallest = pattern.weight > 0.0 ? std::min(smallest, members) : smallest;
+		}
+		return smallest;
+	}
+
+	// No home has room for any household: what else was asked for has no place either.
 	void count_unhoused(uint64_t households, uint64_t persons) {
 		if (_options.households == 0) {
 			_homeless += _options.persons > persons ? _options.persons - persons : 0;
@@ -154,6 +167,7 @@ private:
 	HomeFinder _homes;
 	AliasTable _patterns;
 	Population _population;
+	uint32_t _smallest = smallest_of(_table);
 	uint64_t _homeless = 0; // persons
 	uint64_t _too_large = 0; // households
 };
