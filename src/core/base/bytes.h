@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -30,6 +31,8 @@ public:
 	template <Scalar... T> void values(const T &...all) { (put(all), ...); }
 	// An enumeration whose values are 0 .. count - 1.
 	template <Scalar T> void choice(const T &value, size_t) { put(value); }
+	// A number within -most .. most, or, if `can_be_max`, the largest that there is.
+	void whole(const int64_t &value, int64_t, bool = false) { put(value); }
 	void text(const std::string &value) {
 		values(uint64_t(value.size()));
 		_bytes += value;
@@ -70,6 +73,14 @@ public:
 		get(value);
 		if (size_t(value) >= count) {
 			value = T();
+			fail();
+		}
+	}
+	void whole(int64_t &value, int64_t most, bool can_be_max = false) {
+		get(value);
+		const bool is_max = value == std::numeric_limits<int64_t>::max();
+		if (is_max ? !can_be_max : value > most || value < -most) {
+			value = 0;
 			fail();
 		}
 	}

@@ -10,10 +10,18 @@ namespace {
 constexpr size_t pose_count = size_t(AgentPose::Sit) + 1;
 constexpr size_t kind_count = size_t(TaskKind::FloatingSlot) + 1;
 
+// Sums of times from a damaged file must not overflow: they lie within the range of Duration::seconds.
+template <typename Archive, typename Time> void visit_time(Archive &archive, Time &time, bool can_be_never = false) {
+	constexpr int64_t most = 1'000'000'000'000'000;
+	archive.whole(time.ms, most, can_be_never);
+}
+
 template <typename Archive, typename Vector> void visit_point(Archive &archive, Vector &point) { archive.values(point.x, point.y, point.z); }
 
 template <typename Archive, typename Record> void visit_person(Archive &archive, Record &person) {
-	archive.values(person.due.ms, person.entry_start.ms, person.entry_end.ms, person.rule_end.ms, person.queued.ms);
+	for (auto *time : { &person.due, &person.entry_start, &person.entry_end, &person.rule_end, &person.queued }) {
+		visit_time(archive, *time, true);
+	}
 	visit_point(archive, person.position);
 	archive.values(person.place, person.walk, person.behavior, person.party, person.entry_task);
 	archive.choice(person.state, size_t(PersonState::Waiting) + 1);
@@ -27,7 +35,9 @@ template <typename Archive, typename Record> void visit_person(Archive &archive,
 
 template <typename Archive, typename Record> void visit_walk(Archive &archive, Record &walk) {
 	archive.list(walk.points, [](auto &inner, auto &point) { visit_point(inner, point); });
-	archive.values(walk.length, walk.departure.ms, walk.arrival.ms, walk.speed);
+	archive.values(walk.length, walk.speed);
+	visit_time(archive, walk.departure);
+	visit_time(archive, walk.arrival);
 }
 
 template <typename Archive, typename Ids> void visit_ids(Archive &archive, Ids &ids) {
@@ -86,14 +96,17 @@ template <typename Archive, typename Saved> void visit_behavior(Archive &archive
 }
 
 template <typename Archive, typename Figures> void visit_statistics(Archive &archive, Figures &figures) {
-	archive.values(figures.trips, figures.late_arrivals, figures.outside, figures.peak_outside, figures.peak_time.ms, figures.handled_moments);
+	archive.values(figures.trips, figures.late_arrivals, figures.outside, figures.peak_outside, figures.handled_moments);
+	visit_time(archive, figures.peak_time);
 	for (auto &count : figures.events) {
 		archive.values(count);
 	}
 }
 
 template <typename Archive, typename State> void visit_state(Archive &archive, State &state) {
-	archive.values(state.program_fingerprint, state.seed, state.patience.ms, state.buildings, state.zones, state.objects, state.now.ms);
+	archive.values(state.program_fingerprint, state.seed, state.buildings, state.zones, state.objects);
+	visit_time(archive, state.patience);
+	visit_time(archive, state.now);
 	visit_statistics(archive, state.statistics);
 	archive.list(state.persons, [](auto &inner, auto &person) { visit_person(inner, person); });
 	archive.list(state.walks, [](auto &inner, auto &walk) { visit_walk(inner, walk); });
@@ -101,7 +114,9 @@ template <typename Archive, typename State> void visit_state(Archive &archive, S
 	archive.list(state.parties, [](auto &inner, auto &party) { visit_party(inner, party); });
 	archive.list(state.floating_taken, [](auto &inner, auto &day) { inner.values(day); });
 	archive.list(state.inserted, [](auto &inner, auto &entry) {
-		inner.values(entry.person, entry.start.ms, entry.end.ms, entry.target);
+		inner.values(entry.person, entry.target);
+		visit_time(inner, entry.start);
+		visit_time(inner, entry.end);
 		inner.choice(entry.kind, kind_count);
 		inner.values(entry.is_start_cut);
 	});

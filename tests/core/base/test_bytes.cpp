@@ -67,3 +67,22 @@ TEST_CASE("what cannot be is noticed, and nothing is read behind it") {
 	CHECK(!words.is_good());
 	CHECK(text.empty());
 }
+
+TEST_CASE("whole numbers beyond their limit are refused, the largest of all only where it may be") {
+	const int64_t largest = std::numeric_limits<int64_t>::max();
+	const auto read = [](int64_t value, bool can_be_max) {
+		ByteWriter writer;
+		writer.whole(value, 100, can_be_max);
+		ByteReader reader(writer.bytes());
+		int64_t number = 1;
+		reader.whole(number, 100, can_be_max);
+		return reader.is_good() ? number : -1;
+	};
+	CHECK(read(100, false) == 100);
+	CHECK(read(-100, true) == -100);
+	CHECK(read(101, true) == -1);
+	CHECK(read(-101, false) == -1);
+	CHECK(read(largest, true) == largest);
+	CHECK(read(largest, false) == -1);
+	CHECK(read(std::numeric_limits<int64_t>::min(), true) == -1);
+}
