@@ -252,10 +252,11 @@ void Simulation::lose_patience(PersonId id) {
 		return;
 	}
 	std::erase(party.pending, id);
-	go_alone(id);
-	if (record(party.leader).party == index) {
+	go_alone(id); // its next entry may begin, and make a party: references to them are void
+	const PersonId leader = _parties[index].leader;
+	if (index_of(leader) < _persons.size() && record(leader).party == index) {
 		lead_on(index);
-	} else if (party.pending.empty()) {
+	} else if (_parties[index].pending.empty()) {
 		end_party(index);
 	}
 }

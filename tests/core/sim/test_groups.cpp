@@ -162,3 +162,28 @@ TEST_CASE("the leader waits inside for a joiner who is still on its way there") 
 	CHECK(recorder.has("16:04:40 1 entered-building building 0"));
 	CHECK(recorder.has("16:04:40 0 entered-building building 0"));
 }
+
+TEST_CASE("who waited in vain until its entry was over goes on with the next one, which may be another group") {
+	Town town;
+	const BuildingId home = town.building("house", 0.0f);
+	const BuildingId school = town.building("school", 100.0f);
+	town.household(home);
+	const PersonId ana = town.person();
+	const PersonId ben = town.person();
+	const PersonId leo = town.person(8.0f);
+	town.stay(ben, at(8), at(16, 10), school);
+	town.stay(leo, at(8), at(16), school);
+	town.accompany(ana, { leo }, at(16), at(16, 10), home);
+	town.accompany(ben, { leo }, at(16, 10), at(17), home);
+	std::erase_if(town.tasks[index_of(ana)], [](const Task &task) { return task.kind == TaskKind::Accompany; }); // Ana never comes
+	Simulation &simulation = town.simulate();
+	Recorder recorder;
+	simulation.add_observer(recorder);
+	simulation.start(moment(0, 12));
+	simulation.advance_to(moment(0, 20));
+	CHECK(recorder.has("16:30:00 2 patience-ran-out building 0"));
+	CHECK(recorder.has("16:30:00 2 set-out building 0"));
+	CHECK(recorder.has("16:30:00 1 set-out building 0"));
+	CHECK(recorder.has("16:31:40 2 entered-building building 0"));
+	CHECK(recorder.has("16:31:40 1 entered-building building 0"));
+}
