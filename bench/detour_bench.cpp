@@ -11,6 +11,7 @@
 #include <recastnavigation/DetourNavMeshQuery.h>
 #include <recastnavigation/Recast.h>
 
+#include "bench/house_rules.h"
 #include "core/base/random.h"
 #include "core/cga/dialect.h"
 #include "core/city/city_generator.h"
@@ -23,13 +24,6 @@ using namespace pcg;
 namespace {
 
 constexpr int queries = 10000;
-constexpr std::string_view house_rules = R"(
-@StartRule
-Lot --> split(z) { 3: NIL | ~1: Middle | 3: NIL }
-Middle --> split(x) { 2: NIL | ~1: House | 2: NIL }
-House --> extrude(5) comp(f) { front: Facade | all: Wall. }
-Facade --> [ t('0.5, 0, 0) entrance("house", 4) ] Wall.
-)";
 
 std::optional<City> make_city(LayoutKind kind) {
 	Diagnostics diagnostics;

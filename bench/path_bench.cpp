@@ -3,6 +3,7 @@
 #include <ctime>
 #include <optional>
 
+#include "bench/house_rules.h"
 #include "core/base/random.h"
 #include "core/cga/dialect.h"
 #include "core/city/city_generator.h"
@@ -13,14 +14,6 @@
 using namespace pcg;
 
 namespace {
-
-constexpr std::string_view house_rules = R"(
-@StartRule
-Lot --> split(z) { 3: NIL | ~1: Middle | 3: NIL }
-Middle --> split(x) { 2: NIL | ~1: House | 2: NIL }
-House --> extrude(5) comp(f) { front: Facade | all: Wall. }
-Facade --> [ t('0.5, 0, 0) entrance("house", 4) ] Wall.
-)";
 
 // Of processor time: all of this runs on one thread, whatever else the machine does.
 double seconds_of(const auto &work) {
