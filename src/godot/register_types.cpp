@@ -8,6 +8,7 @@
 
 #include "godot/convert_probe.h"
 #include "godot/nodes/citizen_manager.h"
+#include "godot/nodes/pcg_agent.h"
 #include "godot/nodes/pcg_agent_view.h"
 #include "godot/nodes/pcg_city.h"
 #include "godot/nodes/pcg_entrance.h"
@@ -45,6 +46,7 @@ void initialize_pcg(ModuleInitializationLevel p_level) {
 	GDREGISTER_CLASS(pcg::PCGZone);
 	GDREGISTER_CLASS(pcg::PCGObject);
 	GDREGISTER_CLASS(pcg::PCGCity);
+	GDREGISTER_CLASS(pcg::PCGAgent);
 	GDREGISTER_CLASS(pcg::PCGAgentView);
 	GDREGISTER_CLASS(pcg::CitizenManager);
 #ifdef DEBUG_ENABLED

@@ -1,89 +1,85 @@
 #include "core/figure/crowd.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
-
-#include "core/base/random.h"
-#include "core/population/names.h"
 
 namespace pcg {
 
 namespace {
 
-constexpr float adult_age = 15.0f; // from here on a body has an adult's size
-constexpr float elder_age = 65.0f;
-constexpr float widest_step_aside = 0.45f; // metres
-
-// The shader's tone for each of hair_colors(); its last two are the gray and white of the old.
-constexpr uint8_t hair_tones[] = { 0, 1, 2, 3, 4, 5, 6 };
-
-// The same for one person always; -0.45 .. 0.45 m to the left of the way.
-float step_aside(PersonId person) {
-	return (float(mix64(index_of(person)) >> 40) / float(1u << 24) * 2.0f - 1.0f) * widest_step_aside;
-}
+constexpr float longest_step = 3600.0f; // seconds that somebody can have been on the way in
+constexpr uint32_t ways_a_step = 4; // looked for at once; the others wait for the next picture
+constexpr float near_door = 0.1f; // metres at which somebody who follows its person indoors is gone
+constexpr float leaves_late = 0.5f; // metres from the door from which on it follows
+constexpr float seen_radius = 1.0f; // metres
 
 } // namespace
 
-Looks looks_of(const Population &population, PersonId id) {
-	const Person &person = population.person(id);
-	const FigureAge age = person.age < adult_age ? FigureAge::Child : (person.age < elder_age ? FigureAge::Adult : FigureAge::Elder);
-	Looks looks;
-	looks.kind = uint8_t((person.gender == Gender::Woman ? 3 : 0) + int(age));
-	looks.hair = age == FigureAge::Elder ? uint8_t(6 + index_of(id) % 2) : hair_tones[population.household(person.household).hair_color % std::size(hair_tones)];
-	looks.skin = uint8_t(mix64(index_of(person.household)) % 8);
-	const NamedColor &top = clothes_colors()[person.clothes_color % clothes_colors().size()];
-	looks.top = glm::vec3(top.red, top.green, top.blue) / 255.0f;
-	return looks;
+Crowd::Crowd(const Population &population, const PathProvider *paths, std::function<SimTime()> now) : _population(&population), _now(std::move(now)) {
+	_around.paths = paths;
+	_last = _now();
 }
 
-Figure make_figure_of_kind(size_t kind) { return make_figure(kind >= 3, FigureAge(kind % 3)); }
-
-Crowd::Crowd(const Population &population, std::function<SimTime()> now) : _population(&population), _now(std::move(now)) {}
-
-uint32_t Crowd::slot_of(PersonId person) const {
-	return index_of(person) < _slots.size() ? _slots[index_of(person)] : no_slot;
-}
-
-Crowd::Body *Crowd::find(PersonId person) {
+Body *Crowd::find(PersonId person) {
 	const uint32_t slot = slot_of(person);
 	return slot == no_slot ? nullptr : &_bodies[slot];
 }
 
+uint32_t Crowd::find_leaving(PersonId person) const {
+	for (uint32_t slot = 0; slot < _bodies.size() && _leaving > 0; ++slot) {
+		if (_bodies[slot].is_leaving && _bodies[slot].person == person) {
+			return slot;
+		}
+	}
+	return no_slot;
+}
+
+// Whoever steps out again while its body is still on its way in goes on with that body.
 void Crowd::spawn_agent(PersonId person, glm::vec3 position) {
 	if (_slots.size() <= index_of(person)) {
 		_slots.resize(_population->persons.size(), no_slot);
 	}
-	if (!find(person)) {
-		_slots[index_of(person)] = uint32_t(_bodies.size());
-		_bodies.push_back({});
-		_bodies.back().person = person;
-		_bodies.back().looks = looks_of(*_population, person);
+	if (find(person)) {
+		place_agent(person, position, glm::vec3(0.0f, 0.0f, 1.0f), AgentPose::Stand);
+		return;
 	}
-	place_agent(person, position, glm::vec3(0.0f, 0.0f, 1.0f), AgentPose::Stand);
+	uint32_t slot = find_leaving(person);
+	if (slot != no_slot) {
+		_bodies[slot].is_leaving = false;
+		--_leaving;
+		_bodies[slot].stand(position, _bodies[slot].aim, AgentPose::Stand);
+	} else {
+		slot = uint32_t(_bodies.size());
+		_bodies.push_back(_spare.empty() ? Body() : std::move(_spare.back()));
+		if (!_spare.empty()) {
+			_spare.pop_back();
+		}
+		Body &body = _bodies.back();
+		body.person = person;
+		body.looks = looks_of(*_population, person);
+		body.natural_speed = _population->person(person).walking_speed;
+		body.walked = body.strayed = 0.0f;
+		body.moves_itself = body.is_leaving = false;
+		body.shows_figure = true;
+		body.stand(position, glm::vec3(0.0f, 0.0f, 1.0f), AgentPose::Stand);
+		body.settle();
+		_positions.push_back(position);
+		_levels.push_back(DetailLevel::Data);
+	}
+	_slots[index_of(person)] = slot;
 }
 
 void Crowd::walk_agent(PersonId person, std::span<const glm::vec3> path, float speed) {
 	Body *body = find(person);
-	if (!body || path.empty()) {
-		return;
+	if (body && !path.empty()) {
+		body->set_out(path, speed, _now());
 	}
-	body->path.assign(path.begin(), path.end());
-	body->position = path.front();
-	body->speed = speed;
-	body->departure = _now();
-	body->segment = 0;
-	body->walked_before = 0.0f;
-	body->pose = AgentPose::Walk;
 }
 
 void Crowd::place_agent(PersonId person, glm::vec3 position, glm::vec3 facing, AgentPose pose) {
 	if (Body *body = find(person)) {
-		body->path.clear();
-		body->position = position;
-		body->facing = facing;
-		body->pose = pose;
+		body->stand(position, facing, pose);
 	}
 }
 
@@ -92,73 +88,142 @@ void Crowd::free_agent(PersonId person) {
 	if (slot == no_slot) {
 		return;
 	}
-	if (slot + 1 != _bodies.size()) {
-		_bodies[slot] = std::move(_bodies.back());
-		_slots[index_of(_bodies[slot].person)] = slot;
-	}
-	_bodies.pop_back();
 	_slots[index_of(person)] = no_slot;
+	Body &body = _bodies[slot];
+	if (_levels[slot] == DetailLevel::Data || body.gap() < leaves_late || !is_seen(_eye, _limits, body.position)) {
+		drop(slot);
+		return;
+	}
+	body.stand(body.path.empty() ? body.on_path : body.path.back(), body.aim, AgentPose::Stand);
+	lose_scene(slot);
+	body.is_leaving = true;
+	++_leaving;
+}
+
+void Crowd::drop(uint32_t slot) {
+	_leaving -= _bodies[slot].is_leaving;
+	if (slot + 1 != _bodies.size()) {
+		std::swap(_bodies[slot], _bodies.back());
+		_positions[slot] = _positions.back();
+		_levels[slot] = _levels.back();
+		if (!_bodies[slot].is_leaving) {
+			_slots[index_of(_bodies[slot].person)] = slot;
+		}
+	}
+	_spare.push_back(std::move(_bodies.back()));
+	_bodies.pop_back();
+	_positions.pop_back();
+	_levels.pop_back();
 }
 
 void Crowd::clear() {
 	_bodies.clear();
+	_positions.clear();
+	_levels.clear();
+	_spare.clear();
 	_slots.clear();
+	_leaving = 0;
+}
+
+bool Crowd::is_seen(const Eye &eye, const DetailLimits &limits, glm::vec3 point) const {
+	return glm::distance(eye.position, point) < std::max(limits.figure_distance, limits.agent_distance) && eye.sees(point, seen_radius);
+}
+
+void Crowd::update(SimTime time, const Eye &eye, const DetailLimits &limits) {
+	const float seconds = float((time - _last).in_seconds());
+	const bool is_jump = seconds < 0.0f || seconds > longest_step;
+	_last = time;
+	_eye = eye;
+	_limits = limits;
+	_around.seconds = is_jump ? 0.0f : seconds;
+	_around.ways_left = ways_a_step;
+	drop_leavers(eye, is_jump);
+	for (size_t i = 0; i < _bodies.size(); ++i) {
+		Body &body = _bodies[i];
+		const glm::vec3 before = body.place;
+		body.advance(time, _around.seconds);
+		if (is_jump) {
+			body.settle();
+		} else {
+			const bool is_near = body.position == before && !body.moves_itself; // nobody moved it
+			step_body(body, before, is_near || is_seen(eye, limits, body.position) || is_seen(eye, limits, body.place), _around);
+		}
+		_positions[i] = body.position;
+	}
+	_chooser.choose(_positions, _levels, eye, limits);
+	for (const uint32_t slot : _chooser.leavers()) {
+		_bodies[slot].moves_itself = false;
+		_bodies[slot].shows_figure = true;
+	}
+}
+
+void Crowd::drop_leavers(const Eye &eye, bool is_settled) {
+	for (size_t i = _bodies.size(); i-- > 0 && _leaving > 0;) {
+		if (_bodies[i].is_leaving && (is_settled || _bodies[i].gap() < near_door || !is_seen(eye, _limits, _bodies[i].position))) {
+			drop(uint32_t(i));
+		}
+	}
+}
+
+void Crowd::set_scene(uint32_t slot, bool moves_itself, bool shows_figure) {
+	_bodies[slot].moves_itself = moves_itself;
+	_bodies[slot].shows_figure = shows_figure;
+}
+
+void Crowd::lose_scene(uint32_t slot) {
+	set_scene(slot, false, true);
+	if (_levels[slot] == DetailLevel::Agent) {
+		_levels[slot] = DetailLevel::Figure;
+	}
+}
+
+void Crowd::move_agent(uint32_t slot, glm::vec3 position) {
+	move_body(_bodies[slot], position, _around.seconds);
+	_positions[slot] = position;
 }
 
 glm::vec3 Crowd::position(PersonId person) const {
 	const uint32_t slot = slot_of(person);
-	return slot == no_slot ? glm::vec3(0.0f) : _bodies[slot].position;
+	return slot == no_slot ? glm::vec3(0.0f) : _bodies[slot].on_path;
 }
 
-void Crowd::advance(Body &body, SimTime time) {
-	const float walked = std::max(0.0f, float((time - body.departure).in_seconds()) * body.speed);
-	if (walked < body.walked_before) {
-		body.segment = 0;
-		body.walked_before = 0.0f;
-	}
-	body.walked = walked;
-	while (body.segment + 1 < body.path.size()) {
-		const glm::vec3 from = body.path[body.segment], way = body.path[body.segment + 1] - from;
-		const float length = glm::length(way);
-		if (walked <= body.walked_before + length && length > 0.0f) {
-			body.facing = way / length;
-			body.position = from + body.facing * (walked - body.walked_before);
-			return;
+// Bodies are taken for three balls above each other, a little larger far off, where a pixel is wide.
+PersonId Crowd::pick(glm::vec3 origin, glm::vec3 direction, float reach) const {
+	PersonId best = PersonId::Invalid;
+	for (size_t i = 0; i < _bodies.size(); ++i) {
+		for (const float height : { 0.3f, 0.85f, 1.4f }) {
+			const glm::vec3 middle = _positions[i] + glm::vec3(0.0f, height, 0.0f) - origin;
+			const float along = glm::dot(middle, direction);
+			const float radius = std::max(0.35f, 0.008f * along);
+			const bool is_shown = _levels[i] != DetailLevel::Data && !_bodies[i].is_leaving;
+			if (is_shown && along > 0.0f && along < reach && glm::dot(middle, middle) - along * along < radius * radius) {
+				reach = along;
+				best = _bodies[i].person;
+			}
 		}
-		body.walked_before += length;
-		++body.segment;
 	}
-	body.position = body.path.back(); // arrived; the next call of the simulation says what follows
-	body.pose = AgentPose::Stand;
-	body.path.clear();
+	return best;
 }
 
-void Crowd::update(SimTime time) {
-	for (std::vector<float> &instances : _instances) {
-		instances.clear();
-	}
-	for (Body &body : _bodies) {
-		if (!body.path.empty()) {
-			advance(body, time);
+const std::vector<float> &Crowd::write_figures(size_t kind) {
+	_figures.clear();
+	for (size_t i = 0; i < _bodies.size(); ++i) {
+		const Body &body = _bodies[i];
+		const bool is_drawn = _levels[i] == DetailLevel::Figure || (_levels[i] == DetailLevel::Agent && body.shows_figure);
+		if (!is_drawn || body.looks.kind != kind) {
+			continue;
 		}
-		write(body);
+		// The figure looks along -z: its z axis points away from where it goes.
+		const float back_x = -body.facing.x, back_z = -body.facing.z;
+		const float walks = body.shown_pose == AgentPose::Walk ? 1.0f : 0.0f, sits = body.shown_pose == AgentPose::Sit ? 1.0f : 0.0f;
+		const float numbers[crowd_stride] = { back_z, 0.0f, back_x, body.position.x, //
+			0.0f, 1.0f, 0.0f, body.position.y, //
+			-back_x, 0.0f, back_z, body.position.z, //
+			body.looks.top.r, body.looks.top.g, body.looks.top.b, 1.0f, //
+			body.walked + body.strayed, walks, sits, float(body.looks.hair + 8 * body.looks.skin) };
+		_figures.insert(_figures.end(), std::begin(numbers), std::end(numbers));
 	}
-}
-
-void Crowd::write(const Body &body) {
-	const float length = std::hypot(body.facing.x, body.facing.z);
-	// The figure looks along -z: its z axis points away from where it goes.
-	const float back_x = length > 1e-6f ? -body.facing.x / length : 0.0f, back_z = length > 1e-6f ? -body.facing.z / length : 1.0f;
-	const bool walks = body.pose == AgentPose::Walk, sits = body.pose == AgentPose::Sit;
-	const float aside = walks ? step_aside(body.person) : 0.0f;
-	const float x = body.position.x - back_z * aside, z = body.position.z + back_x * aside;
-	const float numbers[crowd_stride] = { back_z, 0.0f, back_x, x, //
-		0.0f, 1.0f, 0.0f, body.position.y, //
-		-back_x, 0.0f, back_z, z, //
-		body.looks.top.r, body.looks.top.g, body.looks.top.b, 1.0f, //
-		body.walked, walks ? 1.0f : 0.0f, sits ? 1.0f : 0.0f, float(body.looks.hair + 8 * body.looks.skin) };
-	std::vector<float> &instances = _instances[body.looks.kind];
-	instances.insert(instances.end(), std::begin(numbers), std::end(numbers));
+	return _figures;
 }
 
 } // namespace pcg

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/agenda/agenda.h"
+#include "core/figure/crowd.h"
 #include "core/population/population.h"
 #include "core/sim/heat_map.h"
 #include "core/sim/invariants.h"
@@ -55,6 +56,7 @@ struct CitizenLife {
 	Population population;
 	AgendaSet agendas;
 	NoticeBoard notices;
+	std::shared_ptr<Crowd> bodies; // shared with whoever shows them, whom the game may free
 	std::unique_ptr<Simulation> simulation;
 	std::unique_ptr<InvariantChecker> checker; // only if promises are to be checked
 	std::unique_ptr<LivedLog> log; // these two only if lives are to be recorded

@@ -36,8 +36,8 @@ CitizenManager::CitizenManager() = default;
 CitizenManager::~CitizenManager() = default;
 
 void CitizenManager::_notification(int p_what) {
-	if (p_what == NOTIFICATION_PREDELETE && _view) {
-		_view->close(); // it refers to the population, which goes with this object
+	if (p_what == NOTIFICATION_PREDELETE) {
+		close_view(); // it refers to the population, which goes with this object
 	}
 }
 
@@ -210,27 +210,52 @@ bool CitizenManager::start() {
 	_told_breaks = 0;
 	_told_messages = 0;
 	life.simulation->start(_begin);
-	_view->show_at(life.simulation->now());
+	show_bodies();
 	tell_rule_messages();
 	emit_signal("simulation_started");
 	tell_notices();
 	return is_running(); // whoever listened may have ended it
 }
 
-void CitizenManager::open_view() {
-	if (!_view) {
-		_view = memnew(PCGAgentView);
-		_view->set_name("Agents");
-		add_child(_view, false, INTERNAL_MODE_BACK);
+PCGAgentView *CitizenManager::get_agent_view() const { return Object::cast_to<PCGAgentView>(ObjectDB::get_instance(_view_id)); }
+
+// A child that the user put there, with his own limits, or one of our making.
+PCGAgentView *CitizenManager::find_view() {
+	for (int i = 0; i < get_child_count(true); ++i) {
+		if (PCGAgentView *view = cast_to<PCGAgentView>(get_child(i, true))) {
+			return view;
+		}
 	}
+	PCGAgentView *view = memnew(PCGAgentView);
+	view->set_name("Agents");
+	add_child(view, false, INTERNAL_MODE_BACK);
+	return view;
+}
+
+void CitizenManager::open_view() {
+	PCGAgentView *view = find_view();
+	_view_id = view->get_instance_id();
 	const Layout &layout = _life->city->city.layout;
 	const AABB bounds(to_godot(layout.min), to_godot(layout.max - layout.min) + Vector3(0, 3, 0));
 	const Simulation *simulation = _life->simulation.get();
-	_view->open(_life->population, [simulation] { return simulation->now(); }, bounds);
-	_life->notices.set_bodies(&_view->crowd());
+	_life->bodies = std::make_shared<Crowd>(_life->population, _life->city->paths.get(), [simulation] { return simulation->now(); });
+	_life->notices.set_bodies(_life->bodies.get());
+	view->open(_life->bodies, bounds);
 	const PCGCity *city = get_city();
 	if (city && city->is_inside_tree() && is_inside_tree()) {
-		_view->set_global_transform(city->get_global_transform());
+		view->set_global_transform(city->get_global_transform());
+	}
+}
+
+void CitizenManager::close_view() {
+	if (PCGAgentView *view = get_agent_view()) {
+		view->close();
+	}
+}
+
+void CitizenManager::show_bodies() {
+	if (PCGAgentView *view = get_agent_view()) {
+		view->show_at(_life->simulation->now());
 	}
 }
 
@@ -239,8 +264,9 @@ void CitizenManager::stop() {
 		return;
 	}
 	_begin = _life->simulation->now();
-	_view->close();
+	close_view();
 	_life->notices.set_bodies(nullptr);
+	_life->bodies.reset();
 	_life->notices.set_simulation(nullptr);
 	_life->checker.reset();
 	_life->simulation.reset();
@@ -267,7 +293,7 @@ void CitizenManager::advance(double p_seconds) {
 	_owed_seconds = seconds - step.in_seconds();
 	listen();
 	simulation.step(step);
-	_view->show_at(simulation.now());
+	show_bodies();
 	if (_life->checker) {
 		_life->checker->check();
 	}
@@ -289,7 +315,7 @@ void CitizenManager::jump_to(int p_day, double p_seconds) {
 	listen();
 	_life->simulation->jump_to(time);
 	_owed_seconds = 0.0;
-	_view->show_at(time);
+	show_bodies();
 	tell_rule_messages();
 	tell_notices();
 	emit_signal("time_jumped");

@@ -82,7 +82,7 @@ public:
 	godot::PackedStringArray tell_day(int p_household, int p_day) const;
 	godot::Error save_heat_map(const godot::String &p_path) const;
 	godot::Error save_lives(const godot::String &p_path) const;
-	PCGAgentView *get_agent_view() const { return _view; }
+	PCGAgentView *get_agent_view() const;
 
 	void _ready() override;
 	void _process(double p_delta) override;
@@ -97,7 +97,10 @@ private:
 	static void bind_queries();
 	bool check_inputs(Diagnostics &diagnostics) const;
 	bool has_person(int p_person) const;
+	PCGAgentView *find_view();
 	void open_view();
+	void close_view();
+	void show_bodies();
 	void listen();
 	void tell_notices();
 	void tell_broken_promises();
@@ -123,7 +126,7 @@ private:
 
 	Diagnostics _diagnostics;
 	std::unique_ptr<CitizenLife> _life; // from generate_population() on
-	PCGAgentView *_view = nullptr; // a child, from the first start() on
+	uint64_t _view_id = 0; // of the PCGAgentView, a child, from the first start() on; 0 = none
 	double _owed_seconds = 0.0; // of simulated time, below the clock's millisecond
 	uint64_t _told_breaks = 0;
 	size_t _told_messages = 0; // of the simulation's diagnostics

@@ -3,13 +3,15 @@
 #include <cstring>
 
 #include <godot_cpp/classes/array_mesh.hpp>
+#include <godot_cpp/classes/camera3d.hpp>
+#include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/multi_mesh_instance3d.hpp>
 #include <godot_cpp/classes/resource_loader.hpp>
 #include <godot_cpp/classes/shader.hpp>
 #include <godot_cpp/classes/shader_material.hpp>
-#include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/classes/viewport.hpp>
 #include <godot_cpp/core/error_macros.hpp>
-#include <godot_cpp/variant/packed_float32_array.hpp>
+#include <godot_cpp/variant/projection.hpp>
 
 #include "godot/convert.h"
 
@@ -22,13 +24,20 @@ namespace {
 constexpr const char *figure_shader = "res://addons/pcg/figure/figure.gdshader";
 constexpr int figure_kind_total = int(figure_kind_count);
 
-} // namespace
-
-void PCGAgentView::_bind_methods() {
-	ClassDB::bind_method(D_METHOD("get_agent_count"), &PCGAgentView::get_agent_count);
-	ClassDB::bind_method(D_METHOD("has_agent", "person"), &PCGAgentView::has_agent);
-	ClassDB::bind_method(D_METHOD("get_agent_position", "person"), &PCGAgentView::get_agent_position);
+glm::mat4 to_matrix(const Projection &projection) {
+	glm::mat4 matrix;
+	for (int i = 0; i < 4; ++i) {
+		matrix[i] = { projection[i].x, projection[i].y, projection[i].z, projection[i].w };
+	}
+	return matrix;
 }
+
+glm::mat4 to_matrix(const Transform3D &frame) {
+	const auto column = [&](int i) { return glm::vec4(from_godot(frame.basis.get_column(i)), 0.0f); };
+	return { column(0), column(1), column(2), glm::vec4(from_godot(frame.origin), 1.0f) };
+}
+
+} // namespace
 
 bool PCGAgentView::has_agent(int p_person) const { return _crowd && p_person >= 0 && _crowd->has(PersonId(p_person)); }
 
@@ -38,22 +47,62 @@ Vector3 PCGAgentView::get_agent_position(int p_person) const {
 	return to_godot(_crowd->position(PersonId(p_person)));
 }
 
-void PCGAgentView::open(const Population &population, std::function<SimTime()> now, const AABB &bounds) {
+Vector3 PCGAgentView::get_shown_position(int p_person) const {
+	ERR_FAIL_COND_V_MSG(!has_agent(p_person), Vector3(),
+			"PCGAgentView: this person has no agent now. Ask has_agent() first: people indoors have none.");
+	return to_godot(_crowd->body(_crowd->slot_of(PersonId(p_person))).position);
+}
+
+String PCGAgentView::get_level(int p_person) const {
+	static constexpr const char *names[] = { "data", "figure", "agent" };
+	return has_agent(p_person) ? names[size_t(_crowd->level(_crowd->slot_of(PersonId(p_person))))] : "";
+}
+
+Node3D *PCGAgentView::get_agent_node(int p_person) const {
+	for (const Agent &agent : _agents) {
+		if (int(index_of(agent.person)) == p_person) {
+			return agent.root;
+		}
+	}
+	return nullptr;
+}
+
+int PCGAgentView::pick_person(const Vector3 &p_from, const Vector3 &p_direction, double p_reach) const {
+	if (!_crowd || p_direction.is_zero_approx()) {
+		return -1;
+	}
+	const Transform3D local = get_global_transform().affine_inverse();
+	const Vector3 direction = local.basis.xform(p_direction).normalized();
+	const PersonId person = _crowd->pick(from_godot(local.xform(p_from)), from_godot(direction), float(p_reach));
+	return person == PersonId::Invalid ? -1 : int(index_of(person));
+}
+
+void PCGAgentView::open(std::shared_ptr<Crowd> crowd, const AABB &bounds) {
+	close();
 	if (_meshes[0].is_null()) {
 		make_figures();
 	}
 	for (const Ref<MultiMesh> &mesh : _meshes) {
 		mesh->set_custom_aabb(bounds);
 	}
-	_crowd = std::make_unique<Crowd>(population, std::move(now));
+	_crowd = std::move(crowd);
 }
 
 void PCGAgentView::close() {
+	while (!_agents.empty()) {
+		remove_scene(_agents.size() - 1);
+	}
 	_crowd.reset();
 	for (const Ref<MultiMesh> &mesh : _meshes) {
 		if (mesh.is_valid()) {
 			mesh->set_visible_instance_count(0);
 		}
+	}
+}
+
+void PCGAgentView::_notification(int p_what) {
+	if (p_what == NOTIFICATION_EXIT_TREE) {
+		free_lost_scenes();
 	}
 }
 
@@ -82,19 +131,43 @@ void PCGAgentView::make_figures() {
 	}
 }
 
+// In this node's own coordinates, as are the crowd's.
+Eye PCGAgentView::eye() const {
+	const Camera3D *camera = is_inside_tree() ? get_viewport()->get_camera_3d() : nullptr;
+	if (camera == nullptr) {
+		return {};
+	}
+	const glm::mat4 to_camera = glm::inverse(to_matrix(camera->get_camera_transform()));
+	const Transform3D frame = get_global_transform();
+	const glm::vec3 position = from_godot(frame.affine_inverse().xform(camera->get_camera_transform().origin));
+	return Eye::at(position, to_matrix(camera->get_camera_projection()) * to_camera * to_matrix(frame));
+}
+
+// Since the last picture; nothing where one picture's time is advanced in several steps.
+double PCGAgentView::wall_seconds() {
+	const uint64_t frame = Engine::get_singleton()->get_process_frames();
+	const bool is_new = frame != _last_frame;
+	_last_frame = frame;
+	return is_new && is_inside_tree() ? get_process_delta_time() : 0.0;
+}
+
 void PCGAgentView::show_at(SimTime time) {
 	if (!_crowd) {
 		return;
 	}
-	_crowd->update(time);
+	const double seconds = wall_seconds();
+	take_moves(seconds);
+	_crowd->update(time, eye(), _limits);
+	_scale = seconds > 0.0 ? _crowd->step_seconds() / seconds : 0.0;
+	move_scenes(_scale);
 	for (size_t kind = 0; kind < figure_kind_count; ++kind) {
 		upload(kind);
 	}
 }
 
-// The engine wants a whole buffer each time; it grows by doubling, so that it is seldom made anew.
+// The engine wants a whole buffer each time; it grows by doubling, so that it is seldom made anew. What lies behind the visible ones is old.
 void PCGAgentView::upload(size_t kind) {
-	const std::vector<float> &numbers = _crowd->instances(kind);
+	const std::vector<float> &numbers = _crowd->write_figures(kind);
 	const Ref<MultiMesh> &mesh = _meshes[kind];
 	const int count = int(numbers.size() / crowd_stride);
 	if (count == 0) {
@@ -107,12 +180,11 @@ void PCGAgentView::upload(size_t kind) {
 			capacity = capacity < 16 ? 16 : capacity * 2;
 		}
 		mesh->set_instance_count(capacity);
+		_buffers[kind].resize(int64_t(capacity) * int64_t(crowd_stride));
+		_buffers[kind].fill(0.0f);
 	}
-	PackedFloat32Array buffer;
-	buffer.resize(int64_t(capacity) * int64_t(crowd_stride));
-	std::memcpy(buffer.ptrw(), numbers.data(), numbers.size() * sizeof(float));
-	std::memset(buffer.ptrw() + numbers.size(), 0, (size_t(capacity) * crowd_stride - numbers.size()) * sizeof(float));
-	mesh->set_buffer(buffer);
+	std::memcpy(_buffers[kind].ptrw(), numbers.data(), numbers.size() * sizeof(float));
+	mesh->set_buffer(_buffers[kind]);
 	mesh->set_visible_instance_count(count);
 }
 
