@@ -22,7 +22,7 @@ struct Looks {
 Looks looks_of(const Population &population, PersonId person);
 Figure make_figure_of_kind(size_t kind);
 
-// The tones that `hair` and `skin` stand for, linear; the same as in figure.gdshader.
+// The tones that `hair` and `skin` stand for, linear.
 glm::vec3 hair_tone(uint8_t hair);
 glm::vec3 skin_tone(uint8_t skin);
 

@@ -37,6 +37,14 @@ glm::mat4 to_matrix(const Transform3D &frame) {
 	return { column(0), column(1), column(2), glm::vec4(from_godot(frame.origin), 1.0f) };
 }
 
+PackedVector3Array tones(glm::vec3 (*tone)(uint8_t)) {
+	PackedVector3Array result;
+	for (uint8_t i = 0; i < 8; ++i) {
+		result.push_back(to_godot(tone(i)));
+	}
+	return result;
+}
+
 } // namespace
 
 bool PCGAgentView::has_agent(int p_person) const { return _crowd && p_person >= 0 && _crowd->has(PersonId(p_person)); }
@@ -112,6 +120,8 @@ void PCGAgentView::make_figures() {
 	const Ref<Shader> shader = ResourceLoader::get_singleton()->load(figure_shader);
 	if (shader.is_valid()) {
 		material->set_shader(shader);
+		material->set_shader_parameter("hair_tones", tones(hair_tone));
+		material->set_shader_parameter("skin_tones", tones(skin_tone));
 	} else {
 		ERR_PRINT(String("PCGAgentView: ") + figure_shader + " is missing, people stay white. Install the whole folder addons/pcg.");
 	}
