@@ -18,6 +18,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from deps import ROOT
+from editor_project import make_project
 
 TIME_LIMIT = 900  # seconds for one suite; a hang is a failure, not a wait
 
@@ -108,11 +109,18 @@ def run_import_check():
 
 
 def run_godot(options):
-    command = [options.engine, "--headless", "--no-header", "--path", ".", "--script", "tests/godot/run.gd"]
+    return run_in_engine(options, "godot", [options.engine, "--headless", "--no-header", "--path", ".", "--script", "tests/godot/run.gd"])
+
+
+def run_editor(options):
+    return run_in_engine(options, "editor", [options.engine, "--headless", "--editor", "--no-header", "--path", make_project()])
+
+
+def run_in_engine(options, name, command):
     status, text = run(command + (["--", options.word] if options.word else []))
-    marker = re.search(r"^godot suite ended: (\d+) passed, (\d+) failed$", text, re.MULTILINE)
+    marker = re.search(rf"^{name} suite ended: (\d+) passed, (\d+) failed$", text, re.MULTILINE)
     if not marker:
-        return Outcome(0, 1, f"{text}\nthe headless suite {ending(status)} before its end marker")
+        return Outcome(0, 1, f"{text}\nthe {name} suite {ending(status)} before its end marker")
     passed, failed = int(marker[1]), int(marker[2])
     wrong = complaints(text)
     if status != 0 and failed == 0:
@@ -133,6 +141,7 @@ def suites(options):
         yield "bindings", lambda: run_bindings(options)
         yield "import", run_import_check
     yield "godot", lambda: run_godot(options)
+    yield "editor", lambda: run_editor(options)
 
 
 def main():

@@ -3,6 +3,7 @@
 #include <gdextension_interface.h>
 
 #include <godot_cpp/classes/resource_loader.hpp>
+#include <godot_cpp/classes/resource_saver.hpp>
 #include <godot_cpp/core/defs.hpp>
 #include <godot_cpp/godot.hpp>
 
@@ -21,13 +22,15 @@
 #include "godot/resources/pcg_lot_type.h"
 #include "godot/resources/pcg_rule_set.h"
 #include "godot/resources/pcg_rule_set_loader.h"
+#include "godot/resources/pcg_rule_set_saver.h"
 
 using namespace godot;
 
 namespace {
 
-// The only global: the engine keeps a reference to the loader until it is told not to.
+// The only globals: the engine keeps references to loader and saver until it is told not to.
 Ref<pcg::PCGRuleSetLoader> rule_set_loader;
+Ref<pcg::PCGRuleSetSaver> rule_set_saver;
 
 } // namespace
 
@@ -37,6 +40,7 @@ void initialize_pcg(ModuleInitializationLevel p_level) {
 	}
 	GDREGISTER_CLASS(pcg::PCGRuleSet);
 	GDREGISTER_INTERNAL_CLASS(pcg::PCGRuleSetLoader);
+	GDREGISTER_INTERNAL_CLASS(pcg::PCGRuleSetSaver);
 	GDREGISTER_CLASS(pcg::PCGHouseholdTable);
 	GDREGISTER_CLASS(pcg::PCGDistrict);
 	GDREGISTER_CLASS(pcg::PCGLayout);
@@ -54,6 +58,8 @@ void initialize_pcg(ModuleInitializationLevel p_level) {
 #endif
 	rule_set_loader.instantiate();
 	ResourceLoader::get_singleton()->add_resource_format_loader(rule_set_loader);
+	rule_set_saver.instantiate();
+	ResourceSaver::get_singleton()->add_resource_format_saver(rule_set_saver, true); // before the one that writes any resource as .tres
 }
 
 void terminate_pcg(ModuleInitializationLevel p_level) {
@@ -62,6 +68,8 @@ void terminate_pcg(ModuleInitializationLevel p_level) {
 	}
 	ResourceLoader::get_singleton()->remove_resource_format_loader(rule_set_loader);
 	rule_set_loader.unref();
+	ResourceSaver::get_singleton()->remove_resource_format_saver(rule_set_saver);
+	rule_set_saver.unref();
 }
 
 extern "C" GDExtensionBool GDE_EXPORT pcg_library_init(GDExtensionInterfaceGetProcAddress p_get_proc_address,

@@ -85,6 +85,28 @@ func test_a_reloaded_file_shows_its_new_text() -> void:
 	check_equal(rules.get_start_rules(), PackedStringArray(["House"]), "the new start rule")
 
 
+func test_rules_are_saved_as_a_rule_file() -> void:
+	var rules := PCGRuleSet.new()
+	rules.source = "@StartRule\nLot --> X.\n"
+	var path: String = FOLDER.path_join("saved.cga")
+	check_equal(ResourceSaver.get_recognized_extensions(rules).has("cga"), true, "the saver offers the language's extension")
+	check_equal(ResourceSaver.save(rules, path), OK, "saved")
+	check_equal(FileAccess.get_file_as_string(path), rules.source, "the file is the text")
+	check_equal(rules.get_file(), path, "the rules are those of the file now")
+	check(not FileAccess.file_exists(path + ".tmp"), "nothing else is left")
+	check(not PCGRuleSet.from_file(path).has_errors(), "and it loads")
+
+
+func test_text_is_compiled_as_though_it_stood_in_its_file() -> void:
+	_write("parts.cga", "Part --> X.\n")
+	var path: String = _write("whole.cga", "@StartRule\nLot --> X.\n")
+	var rules: PCGRuleSet = PCGRuleSet.from_text(path, "import parts : \"parts.cga\"\n@StartRule\nHouse --> parts.Part\n")
+	check(not rules.has_errors(), "it sees what lies beside it: %s" % [rules.get_diagnostics_text()])
+	check(rules.get_definitions().any(func(entry: Dictionary) -> bool: return entry["name"] == "parts.Part" and str(entry["file"]).ends_with("parts.cga")),
+			"where an imported rule is defined: %s" % [rules.get_definitions()])
+	check_equal(PCGRuleSet.from_file(path).get_rules(), PackedStringArray(["Lot"]), "the file itself is as it was")
+
+
 func test_a_household_table_tells_shares_and_refuses_bad_rows() -> void:
 	var table: PCGHouseholdTable = PCGHouseholdTable.from_file("res://rules/data/households_us_acs2023.csv")
 	check(not table.has_errors(), "the shipped table is good: %s" % [table.get_diagnostics()])

@@ -19,6 +19,7 @@ void PCGRuleSet::_bind_methods() {
 	ClassDB::bind_static_method("PCGRuleSet", D_METHOD("from_file", "path"), &PCGRuleSet::from_file);
 	ClassDB::bind_static_method("PCGRuleSet", D_METHOD("add_function", "name", "parameters", "result", "function"), &PCGRuleSet::add_function);
 	ClassDB::bind_static_method("PCGRuleSet", D_METHOD("add_operation", "name", "parameters", "operation"), &PCGRuleSet::add_operation);
+	bind_language();
 	ClassDB::bind_method(D_METHOD("reload"), &PCGRuleSet::reload);
 	ClassDB::bind_method(D_METHOD("get_file"), &PCGRuleSet::get_file);
 	ClassDB::bind_method(D_METHOD("has_errors"), &PCGRuleSet::has_errors);
@@ -63,9 +64,13 @@ bool PCGRuleSet::add_operation(const String &p_name, const Dictionary &p_paramet
 	return is_added;
 }
 
-void PCGRuleSet::read_file(const String &p_path) {
+void PCGRuleSet::take_path(const String &p_path) {
 	_file = p_path;
 	_dialect = p_path.get_extension().to_lower() == "pcg" ? DIALECT_AGENDA : DIALECT_CGA;
+}
+
+void PCGRuleSet::read_file(const String &p_path) {
+	take_path(p_path);
 	reload();
 	notify_property_list_changed();
 }
@@ -94,17 +99,21 @@ void PCGRuleSet::set_dialect(Dialect p_dialect) {
 }
 
 void PCGRuleSet::compile() {
-	_diagnostics = Diagnostics();
-	const pcg::Dialect &dialect = _dialect == DIALECT_CGA ? cga::cga_dialect() : agenda_dialect();
 	if (!_file.is_empty()) {
 		EngineFiles files;
-		_program = load_program(from_godot(_file), dialect, files, _diagnostics);
+		compile_file(files);
 		return;
 	}
+	_diagnostics = Diagnostics();
 	MemorySourceProvider text;
 	const std::string name = _dialect == DIALECT_CGA ? "rules.cga" : "rules.pcg";
 	text.add(name, from_godot(_source));
-	_program = load_program(name, dialect, text, _diagnostics);
+	_program = load_program(name, _dialect == DIALECT_CGA ? cga::cga_dialect() : agenda_dialect(), text, _diagnostics);
+}
+
+void PCGRuleSet::compile_file(SourceProvider &files) {
+	_diagnostics = Diagnostics();
+	_program = load_program(from_godot(_file), _dialect == DIALECT_CGA ? cga::cga_dialect() : agenda_dialect(), files, _diagnostics);
 }
 
 TypedArray<Dictionary> PCGRuleSet::get_diagnostics() const { return to_godot(_diagnostics); }
@@ -138,6 +147,7 @@ TypedArray<Dictionary> PCGRuleSet::get_attributes() const {
 		entry["name"] = to_godot(std::string_view(attribute.name));
 		entry["is_constant"] = attribute.kind == AttributeInfo::Kind::Constant;
 		entry["type"] = to_godot(type_name(attribute.type));
+		entry["file"] = to_godot(std::string_view(_program->files[attribute.place.file]));
 		entry["line"] = attribute.place.line;
 		Dictionary annotations;
 		for (const Annotation &annotation : attribute.annotations) {

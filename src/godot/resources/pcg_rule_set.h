@@ -13,6 +13,7 @@
 
 #include "core/base/diagnostic.h"
 #include "core/lang/program.h"
+#include "core/lang/source.h"
 
 namespace pcg {
 
@@ -30,6 +31,12 @@ public:
 	static bool add_operation(const godot::String &p_name, const godot::Dictionary &p_parameters, const godot::Callable &p_operation);
 	void read_file(const godot::String &p_path);
 	void reload();
+
+	// pcg_rule_set_language.cpp
+	// Compiles `p_text` as though it stood in that file already; what it imports is read.
+	static godot::Ref<PCGRuleSet> from_text(const godot::String &p_path, const godot::String &p_text);
+	static godot::TypedArray<godot::Dictionary> get_builtins(Dialect p_dialect);
+	godot::TypedArray<godot::Dictionary> get_definitions() const;
 
 	void set_source(const godot::String &p_source);
 	godot::String get_source() const { return _source; }
@@ -53,7 +60,10 @@ protected:
 	void _validate_property(godot::PropertyInfo &p_property) const;
 
 private:
+	static void bind_language();
+	void take_path(const godot::String &p_path);
 	void compile();
+	void compile_file(SourceProvider &files);
 
 	godot::String _file; // empty: `_source` is compiled
 	godot::String _source;

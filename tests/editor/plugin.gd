@@ -1,0 +1,41 @@
+@tool
+extends EditorPlugin
+## Runs the editor's tests once the editor is ready, and closes it. tools/editor_project.py makes the project that has this plugin.
+##
+##     godot --headless --editor --path build/editor_project -- [WORD]
+##
+## The line "editor suite ended: N passed, N failed" is the proof that the run was not cut short.
+
+const FOLDER := "res://tests/editor"
+const Runner := preload("res://tests/godot/runner.gd")
+
+
+func _enter_tree() -> void:
+	_run.call_deferred()
+
+
+func _run() -> void:
+	var files: EditorFileSystem = EditorInterface.get_resource_filesystem()
+	while files.is_scanning() or not EditorInterface.is_plugin_enabled("pcg"):
+		await get_tree().process_frame
+	for frame: int in 10: # the editor opens its own windows and layout meanwhile
+		await get_tree().process_frame
+	var arguments: PackedStringArray = OS.get_cmdline_user_args()
+	if arguments.size() == 2 and arguments[0] == "--pictures":
+		await _take_pictures(arguments[1])
+		return
+	var runner := Runner.new()
+	get_tree().root.add_child(runner)
+	await runner.run(FOLDER, arguments[0] if arguments.size() > 0 else "")
+	print("editor suite ended: %d passed, %d failed" % [runner.passed, runner.failed])
+	runner.queue_free()
+	get_tree().quit(0 if runner.failed == 0 else 1)
+
+
+func _take_pictures(folder: String) -> void:
+	var pictures: Node = (load("res://tests/editor/pictures.gd") as GDScript).new()
+	add_child(pictures)
+	var finder: Node = (load("res://tests/editor/editor_suite.gd") as GDScript).new()
+	add_child(finder)
+	await pictures.call("run", finder.call("get_authoring"), folder)
+	get_tree().quit()

@@ -1,0 +1,44 @@
+#!/usr/bin/env python3
+"""Makes build/editor_project anew: a project with a copy of the addon and its rules, as somebody has who installed it, and a second plugin that
+runs tests/editor. Tests may change its files; the checkout stays as it is."""
+
+import shutil
+
+from deps import ROOT
+
+PROJECT = ROOT / "build/editor_project"
+SETTINGS = """config_version=5
+
+[application]
+
+config/name="PCG editor tests"
+config/features=PackedStringArray("4.6")
+
+[debug]
+
+gdscript/warnings/exclude_addons=false
+gdscript/warnings/untyped_declaration=2
+
+[editor_plugins]
+
+enabled=PackedStringArray("res://addons/pcg/plugin.cfg", "res://tests/editor/plugin.cfg")
+"""
+COPIED = ("rules", "tests/editor", "tests/godot/suite.gd", "tests/godot/runner.gd", "tests/godot/city_for_tests.gd")
+
+
+def make_project():
+    """Returns its path. The built library is linked, not copied."""
+    shutil.rmtree(PROJECT, ignore_errors=True)
+    shutil.copytree(ROOT / "addons/pcg", PROJECT / "addons/pcg", ignore=shutil.ignore_patterns("bin"))
+    (PROJECT / "addons/pcg/bin").symlink_to(ROOT / "addons/pcg/bin")
+    for name in COPIED:
+        (PROJECT / name).parent.mkdir(parents=True, exist_ok=True)
+        (shutil.copytree if (ROOT / name).is_dir() else shutil.copy)(ROOT / name, PROJECT / name)
+    (PROJECT / "project.godot").write_text(SETTINGS)
+    (PROJECT / ".godot").mkdir()
+    (PROJECT / ".godot/extension_list.cfg").write_text("res://addons/pcg/pcg.gdextension\n")
+    return PROJECT
+
+
+if __name__ == "__main__":
+    print(make_project())
