@@ -8,6 +8,7 @@
 
 #include <sys/resource.h>
 
+#include "core/agenda/agenda_edit.h"
 #include "core/io/household_csv.h"
 #include "core/io/rule_loader.h"
 #include "core/io/state_file.h"
@@ -23,9 +24,10 @@ namespace {
 
 constexpr const char *rules = "rules/agenda/mixed_week.pcg";
 constexpr const char *households = "rules/data/households_us_acs2023.csv";
-// Memory may grow by this factor at most from then on: every day of the week has been lived by then, and the oldest insertions are forgotten.
+// Memory may grow by this factor at most from then on: every day of the week has been lived by then, and the oldest insertions were forgotten.
 constexpr double most_growth = 1.25;
 constexpr int64_t settled_days = 16;
+constexpr int64_t remembered_days = 7; // more than jumps go back
 
 struct World {
 	CityModel city;
@@ -77,6 +79,7 @@ public:
 				return false;
 			}
 			live_until(SimTime::at(day + 1, {}));
+			forget_days_before(_world.agendas, day - remembered_days);
 			settled_mb = day < settled_days ? resident_mb() : settled_mb;
 			if (day % 5 == 4 || day + 1 == days) {
 				tell(day + 1);
@@ -148,12 +151,14 @@ private:
 	}
 
 	void insert(PersonId id) {
-		InsertedEntry entry;
-		entry.person = id;
-		entry.start = _simulation->now() + Duration{ int64_t(_random.index(7'200'000)) };
-		entry.end = entry.start + Duration{ 600'000 + int64_t(_random.index(3'600'000)) };
-		entry.target = uint32_t(_random.index(_world.city.buildings().size()));
-		_simulation->insert_entry(entry);
+		const SimTime start = _simulation->now() + Duration{ int64_t(_random.index(7'200'000)) };
+		Task task;
+		task.start_ms = int32_t(start.time_of_day().ms);
+		task.end_ms = task.start_ms + 600'000 + int32_t(_random.index(3'600'000));
+		task.target = uint32_t(_random.index(_world.city.buildings().size()));
+		for (PersonId changed : insert_task(_world.agendas, _world.population, id, task, start.day()).changed) {
+			_simulation->take_in_agenda(changed);
+		}
 	}
 
 	// Goes on in another simulation with what the file holds, people included.

@@ -231,4 +231,9 @@ const Task *Agenda::at(int weekday, Duration time_of_day) const {
 	return nullptr;
 }
 
+std::span<const Task> AgendaView::changed_on(int64_t day) const {
+	const auto found = std::lower_bound(single_days.begin(), single_days.end(), day, [](const SingleDay &a, int64_t b) { return a.day < b; });
+	return found != single_days.end() && found->day == day ? std::span<const Task>(found->tasks) : week;
+}
+
 } // namespace pcg

@@ -77,6 +77,29 @@ struct Requirement {
 	friend bool operator==(const Requirement &, const Requirement &) = default;
 };
 
+// What begins on one day, all of it, in place of what the week says.
+struct SingleDay {
+	int64_t day = 0; // as SimTime counts them
+	std::vector<Task> tasks; // in order, each with the day of the week of `day` alone
+};
+
+// An agenda that was changed after it was generated (agenda_edit.h).
+struct ChangedAgenda {
+	std::vector<Task> week;
+	std::vector<SingleDay> single_days; // ascending
+};
+
+// One person's agenda. Holds until it is changed.
+struct AgendaView {
+	std::span<const Task> week;
+	std::span<const SingleDay> single_days;
+
+	// What begins on that day is among these: those with its day of the week.
+	std::span<const Task> on(int64_t day) const { return single_days.empty() ? week : changed_on(day); }
+
+	std::span<const Task> changed_on(int64_t day) const; // the same; the slow way
+};
+
 // Agendas of a whole population, one behind the other.
 struct AgendaSet {
 	std::vector<Task> tasks; // as generated
@@ -87,19 +110,20 @@ struct AgendaSet {
 	std::vector<TaskOrigin> origins;
 	std::vector<std::string> names; // of entries, for requirements; the first is empty. Empty if no rule names any
 	std::vector<Requirement> requirements; // the first means none. Empty if no rule has any
-	std::unordered_map<uint32_t, std::vector<Task>> changed; // by person: agendas that were changed afterwards (agenda_edit.h)
+	std::unordered_map<uint32_t, ChangedAgenda> changed; // by person
 
-	// Holds until that person's agenda is changed.
-	std::span<const Task> tasks_of(PersonId id) const {
+	AgendaView agenda_of(PersonId id) const {
 		const uint32_t i = index_of(id);
 		if (!changed.empty()) [[unlikely]] {
 			const auto found = changed.find(i);
 			if (found != changed.end()) {
-				return found->second;
+				return { found->second.week, found->second.single_days };
 			}
 		}
-		return { tasks.data() + first_task[i], first_task[i + 1] - first_task[i] };
+		return { { tasks.data() + first_task[i], first_task[i + 1] - first_task[i] }, {} };
 	}
+	// Of every week.
+	std::span<const Task> tasks_of(PersonId id) const { return agenda_of(id).week; }
 	std::span<const FloatingTask> floating_tasks_of(PersonId id) const {
 		const uint32_t i = index_of(id);
 		return { floating_tasks.data() + first_floating_task[i], first_floating_task[i + 1] - first_floating_task[i] };

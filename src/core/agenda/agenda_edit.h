@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -18,7 +20,11 @@ struct AgendaChange {
 
 // The newest wins: what the entry overlaps is split, trimmed or dropped (PCG language, section 5), and so is, in the whole household, what
 // required that. The task's own `name` and `requirement` are numbers of the set; its origin is set to one without a rule.
-AgendaChange insert_task(AgendaSet &agendas, const Population &population, PersonId person, Task task);
+// Without `day` it holds in every week on the task's days; with one on that day only, counted as in SimTime, and the task's days mean nothing. What
+// is in an agenda for a single day stays there under entries of every week that do not overlap it.
+AgendaChange insert_task(AgendaSet &agendas, const Population &population, PersonId person, Task task, std::optional<int64_t> day = std::nullopt);
+// Changes for single days before that one are forgotten: then the week holds there, should anybody jump back.
+void forget_days_before(AgendaSet &agendas, int64_t day);
 // The number of a name for Task::name, added to the set if it is new; 0 if the set is full.
 uint16_t task_name(AgendaSet &agendas, std::string_view name);
 // The same of Task::requirement.

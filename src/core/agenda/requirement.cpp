@@ -47,7 +47,7 @@ private:
 	// Of one entry, all days for the same reason at once.
 	bool drop_days(PersonId person, size_t index) {
 		const Task task = _household.of(person).tasks()[index];
-		DroppedTask dropped{ person, task, Unmet::No, 0 };
+		DroppedTask dropped{ person, task, Unmet::No, 0, std::nullopt };
 		DayMask days = 0; // written for
 		for (int day = 0; day < 7; ++day) {
 			uint16_t name = 0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -46,6 +47,7 @@ struct DroppedTask {
 	Task task; // its days are those on which it was dropped
 	Unmet reason = Unmet::No;
 	uint16_t name = 0; // of the entry that it required, in AgendaSet::names
+	std::optional<int64_t> day; // the only one on which it was dropped, as SimTime counts; without: every week
 };
 
 // The agendas of one household, members one behind the other.

@@ -47,10 +47,11 @@ std::optional<StateFile> read_state_file(std::string_view bytes, const std::stri
 	Header header;
 	ByteReader reader(bytes.substr(magic.size()));
 	reader.values(header.version);
-	if (reader.is_good() && header.version > state_version) {
-		return refuse(diagnostics, file, "it was saved by a newer version (format " + std::to_string(header.version) + ", this one reads up to " +
-						std::to_string(state_version) + ")",
-				"use the version that saved it, or a later one");
+	if (reader.is_good() && header.version != state_version) {
+		const bool is_newer = header.version > state_version;
+		return refuse(diagnostics, file, std::string("it was saved by ") + (is_newer ? "a newer" : "an older") + " version (format " +
+						std::to_string(header.version) + ", this one reads format " + std::to_string(state_version) + ")",
+				is_newer ? "use the version that saved it, or a later one" : "use the version that saved it");
 	}
 	reader.values(header.people_size, header.simulation_size, header.checksum);
 	const uint64_t rest = bytes.size() < header_size ? 0 : bytes.size() - header_size;
@@ -59,7 +60,7 @@ std::optional<StateFile> read_state_file(std::string_view bytes, const std::stri
 	if (has_sizes) {
 		const std::string_view people = bytes.substr(header_size, header.people_size);
 		result.simulation = bytes.substr(header_size + header.people_size);
-		if (header.version == state_version && checksum_of(people, result.simulation) == header.checksum &&
+		if (checksum_of(people, result.simulation) == header.checksum &&
 				people_from_bytes(people, result.people)) {
 			return result;
 		}

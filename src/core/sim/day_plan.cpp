@@ -1,6 +1,6 @@
 #include "core/sim/day_plan.h"
 
-#include <algorithm>
+#include <span>
 
 namespace pcg {
 
@@ -18,13 +18,13 @@ PlannedEntry on_day(std::span<const Task> tasks, size_t index, int64_t day) {
 	return { SimTime::at(day, task.start()), SimTime::at(day, task.end()), task.target, uint16_t(index), task.kind, task.is_start_cut };
 }
 
-PlannedEntry hole_at(std::span<const Task> tasks, SimTime time) {
+PlannedEntry hole_at(const AgendaView &agenda, SimTime time) {
 	const Duration week{ week_days * one_day.ms };
 	PlannedEntry result;
 	result.start = time - week;
 	result.end = time + week;
-	for (const Task &task : tasks) {
-		for (int64_t day = time.day() - week_days - 1; day <= time.day() + week_days; ++day) {
+	for (int64_t day = time.day() - week_days - 1; day <= time.day() + week_days; ++day) {
+		for (const Task &task : agenda.on(day)) {
 			if (!is_on(task, day)) {
 				continue;
 			}
@@ -40,9 +40,26 @@ PlannedEntry hole_at(std::span<const Task> tasks, SimTime time) {
 	return result;
 }
 
+// The first day to look at is the one that may have begun what still goes on.
+PlannedEntry planned_in_changed(const AgendaView &agenda, SimTime time) {
+	for (int64_t day = time.day() - 1; day <= time.day(); ++day) {
+		const std::span<const Task> tasks = agenda.on(day);
+		for (size_t i = 0; i < tasks.size(); ++i) {
+			if (is_on(tasks[i], day) && SimTime::at(day, tasks[i].start()) <= time && time < SimTime::at(day, tasks[i].end())) {
+				return on_day(tasks, i, day);
+			}
+		}
+	}
+	return hole_at(agenda, time);
+}
+
 } // namespace
 
-PlannedEntry planned_entry_at(std::span<const Task> tasks, SimTime time) {
+PlannedEntry planned_entry_at(const AgendaView &agenda, SimTime time) {
+	if (!agenda.single_days.empty()) [[unlikely]] {
+		return planned_in_changed(agenda, time);
+	}
+	const std::span<const Task> tasks = agenda.week;
 	const int64_t today = time.day();
 	const int64_t since_midnight = time.ms - today * one_day.ms;
 	const int weekday = int(((today % week_days) + week_days) % week_days);
@@ -56,23 +73,7 @@ PlannedEntry planned_entry_at(std::span<const Task> tasks, SimTime time) {
 			return on_day(tasks, i, today - 1);
 		}
 	}
-	return hole_at(tasks, time);
-}
-
-PlannedEntry planned_entry_at(std::span<const Task> tasks, std::span<const InsertedEntry> inserted, SimTime time) {
-	PlannedEntry result = planned_entry_at(tasks, time);
-	for (const InsertedEntry &entry : inserted) {
-		if (entry.start <= time && time < entry.end) {
-			return { entry.start, entry.end, entry.target, PlannedEntry::inserted, entry.kind, entry.is_start_cut };
-		}
-		if (entry.end <= time && entry.end > result.start) {
-			result.start = entry.end;
-			result.is_start_cut = true;
-		} else if (entry.start > time) {
-			result.end = std::min(result.end, entry.start);
-		}
-	}
-	return result;
+	return hole_at(agenda, time);
 }
 
 } // namespace pcg

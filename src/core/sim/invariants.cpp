@@ -331,7 +331,7 @@ void InvariantChecker::check_position(PersonId id, const PersonView &view) {
 void InvariantChecker::check_building(PersonId id, const PersonView &view) {
 	const PlannedEntry entry = _simulation.plan_at(id, _simulation.now());
 	const bool is_stay = entry.kind == TaskKind::StayInside || entry.kind == TaskKind::GoToBuilding;
-	const bool is_with_late_group = view.entry.kind == TaskKind::Accompany && !view.entry.is_hole();
+	const bool is_with_late_group = is_valid(view.leader);
 	if (!is_stay || life(id).is_stuck || is_with_late_group) {
 		return;
 	}

@@ -10,6 +10,8 @@ namespace pcg {
 
 namespace {
 
+constexpr int64_t most_days = 1'000'000'000; // away from the first
+
 template <typename Archive, typename Record> void visit_person(Archive &archive, Record &person) {
 	archive.values(person.household, person.name, person.walking_speed, person.age);
 	archive.choice(person.gender, 2);
@@ -59,12 +61,16 @@ template <typename Archive, typename Agendas> void visit_agendas(Archive &archiv
 			[](auto &inner, auto &requirement) { inner.values(requirement.name, requirement.is_after, requirement.outer); });
 }
 
-using ChangedAgenda = std::pair<uint32_t, std::vector<Task>>;
+using PersonsAgenda = std::pair<uint32_t, ChangedAgenda>;
 
 template <typename Archive, typename List> void visit_changed(Archive &archive, List &changed) {
 	archive.list(changed, [](auto &inner, auto &agenda) {
 		inner.values(agenda.first);
-		visit_tasks(inner, agenda.second);
+		visit_tasks(inner, agenda.second.week);
+		inner.list(agenda.second.single_days, [](auto &innermost, auto &single) {
+			innermost.whole(single.day, most_days);
+			visit_tasks(innermost, single.tasks);
+		});
 	});
 }
 
@@ -108,6 +114,14 @@ bool are_tasks_sound(const std::vector<Task> &tasks, const AgendaSet &agendas) {
 	});
 }
 
+bool is_changed_sound(const ChangedAgenda &changed, const AgendaSet &agendas) {
+	const auto is_not_before = [](const SingleDay &a, const SingleDay &b) { return a.day >= b.day; };
+	return are_tasks_sound(changed.week, agendas) &&
+			std::adjacent_find(changed.single_days.begin(), changed.single_days.end(), is_not_before) == changed.single_days.end() &&
+			std::all_of(changed.single_days.begin(), changed.single_days.end(),
+					[&](const SingleDay &single) { return are_tasks_sound(single.tasks, agendas); });
+}
+
 bool are_requirements_sound(const AgendaSet &agendas) {
 	for (size_t i = 0; i < agendas.requirements.size(); ++i) {
 		size_t steps = 0;
@@ -129,7 +143,7 @@ bool is_sound(const AgendaSet &agendas, size_t persons) {
 	const bool are_floating_sound = std::all_of(agendas.floating_tasks.begin(), agendas.floating_tasks.end(),
 			[](const FloatingTask &task) { return task.days <= all_days && !std::isnan(task.priority); });
 	const bool are_changed_sound = std::all_of(agendas.changed.begin(), agendas.changed.end(),
-			[&](const auto &agenda) { return agenda.first < persons && are_tasks_sound(agenda.second, agendas); });
+			[&](const auto &agenda) { return agenda.first < persons && is_changed_sound(agenda.second, agendas); });
 	return are_groups_sound && are_floating_sound && are_changed_sound && are_requirements_sound(agendas) &&
 			are_tasks_sound(agendas.tasks, agendas) && are_offsets_sound(agendas.first_task, persons, agendas.tasks.size()) &&
 			are_offsets_sound(agendas.first_floating_task, persons, agendas.floating_tasks.size());
@@ -141,8 +155,8 @@ std::string people_to_bytes(const Population &population, const AgendaSet &agend
 	ByteWriter writer;
 	visit_population(writer, population);
 	visit_agendas(writer, agendas);
-	std::vector<ChangedAgenda> changed(agendas.changed.begin(), agendas.changed.end());
-	std::sort(changed.begin(), changed.end(), [](const ChangedAgenda &a, const ChangedAgenda &b) { return a.first < b.first; });
+	std::vector<PersonsAgenda> changed(agendas.changed.begin(), agendas.changed.end());
+	std::sort(changed.begin(), changed.end(), [](const PersonsAgenda &a, const PersonsAgenda &b) { return a.first < b.first; });
 	visit_changed(writer, changed);
 	return writer.take();
 }
@@ -151,7 +165,7 @@ bool people_from_bytes(std::string_view bytes, SavedPeople &people) {
 	ByteReader reader(bytes);
 	visit_population(reader, people.population);
 	visit_agendas(reader, people.agendas);
-	std::vector<ChangedAgenda> changed;
+	std::vector<PersonsAgenda> changed;
 	visit_changed(reader, changed);
 	people.agendas.changed = { std::make_move_iterator(changed.begin()), std::make_move_iterator(changed.end()) };
 	return reader.is_good() && reader.is_at_end() && is_sound(people.population) && is_sound(people.agendas, people.population.persons.size());

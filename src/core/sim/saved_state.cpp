@@ -113,13 +113,6 @@ template <typename Archive, typename State> void visit_state(Archive &archive, S
 	archive.list(state.behaviors, [](auto &inner, auto &behavior) { visit_behavior(inner, behavior); });
 	archive.list(state.parties, [](auto &inner, auto &party) { visit_party(inner, party); });
 	archive.list(state.floating_taken, [](auto &inner, auto &day) { inner.values(day); });
-	archive.list(state.inserted, [](auto &inner, auto &entry) {
-		inner.values(entry.person, entry.target);
-		visit_time(inner, entry.start);
-		visit_time(inner, entry.end);
-		inner.choice(entry.kind, kind_count);
-		inner.values(entry.is_start_cut);
-	});
 }
 
 } // namespace

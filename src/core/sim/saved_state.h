@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/lang/vm.h"
-#include "core/sim/inserted_entries.h"
 #include "core/sim/party.h"
 #include "core/sim/person_record.h"
 #include "core/sim/statistics.h"
@@ -39,7 +38,6 @@ struct SavedState {
 	std::vector<SavedBehavior> behaviors;
 	std::vector<Party> parties;
 	std::vector<int32_t> floating_taken;
-	std::vector<InsertedEntry> inserted;
 };
 
 std::string state_to_bytes(const SavedState &state);

@@ -18,7 +18,6 @@
 #include "core/semantics/city_model.h"
 #include "core/sim/day_plan.h"
 #include "core/sim/event_queue.h"
-#include "core/sim/inserted_entries.h"
 #include "core/sim/observer.h"
 #include "core/sim/party.h"
 #include "core/sim/person_record.h"
@@ -94,16 +93,14 @@ public:
 	// Takes in the households that were added at the end of the population, with their agendas, groups and floating tasks. They are put where their
 	// agendas want them now. False: the agendas do not reach as far as the population.
 	bool take_in_people();
-	// An entry for one day, before all others. Begins at once if its time has come. False: its time is over or empty, its person is not there, or it
-	// is an accompany.
-	bool insert_entry(const InsertedEntry &entry);
+	// Must be called for everybody whose agenda in the AgendaSet became another one (agenda/agenda_edit.h): goes on with what the new one says, at
+	// once where its time has come.
+	void take_in_agenda(PersonId id);
 	// The game has the person from now on: it leaves its rule, group, seat and building; its body is freed, for the game shows it. It counts as
 	// waiting outdoors. False: it is not there, or was taken already.
 	bool take_over(PersonId id);
 	// Where the game has a person whom it took over. False: it did not.
 	bool place_taken(PersonId id, glm::vec3 position);
-	// Must be called for everybody whose agenda in the AgendaSet became another one (agenda/agenda_edit.h): goes on with what the new one says.
-	void take_in_agenda(PersonId id);
 	// Gives it back: it gets a body where it is and goes on with its agenda from there.
 	bool release(PersonId id);
 	// Gone for good; its id stays. False: it is not there.
@@ -120,11 +117,8 @@ public:
 	std::vector<PersonId> persons_inside(BuildingId building) const;
 	std::vector<PersonId> persons_outside() const;
 	bool is_living(PersonId id) const { return index_of(id) < _persons.size() && !record(id).is_absent(); }
-	// The entry or hole of its agenda, with what was inserted, that holds at that time.
-	PlannedEntry plan_at(PersonId id, SimTime time) const {
-		const std::span<const Task> tasks = _agendas.tasks_of(id);
-		return _inserted.is_empty() ? planned_entry_at(tasks, time) : planned_entry_at(tasks, _inserted.of(id), time);
-	}
+	// The entry or hole of its agenda that holds at that time.
+	PlannedEntry plan_at(PersonId id, SimTime time) const { return planned_entry_at(_agendas.agenda_of(id), time); }
 	bool is_place_free(ObjectId object) const { return _reservations.is_free(_city, object); }
 
 	const SimulationStatistics &statistics() const { return _statistics; }
@@ -267,7 +261,6 @@ private:
 	std::vector<uint32_t> _party_of_group; // by group
 	std::vector<Party> _parties;
 	std::vector<uint32_t> _free_parties;
-	InsertedEntries _inserted;
 	WalkPool _walks;
 	Reservations _reservations;
 	std::unique_ptr<agenda::World> _rule_world; // null without a program

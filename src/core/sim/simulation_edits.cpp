@@ -12,7 +12,6 @@ namespace pcg {
 namespace {
 constexpr float arm_length = 0.01f; // metres within which somebody is where it should be
 constexpr float zone_margin = 2.0f; // paths end on the navigation mesh, this far from the zone at most
-constexpr Duration kept_insertions = Duration::hours(14 * 24); // for jumps back
 }
 
 // After edits of the city. Costs time proportional to the population.
@@ -141,33 +140,13 @@ bool Simulation::take_in_people() {
 	return true;
 }
 
-bool Simulation::insert_entry(const InsertedEntry &entry) {
-	const bool is_possible = is_living(entry.person) && entry.start < entry.end && entry.end > _now && entry.kind != TaskKind::Accompany;
-	if (!is_possible) {
-		return false;
-	}
-	_inserted.drop_before(_now - kept_insertions);
-	_inserted.insert(entry);
-	PersonRecord &person = record(entry.person);
-	if (!_has_started || entry.start >= person.entry_end) {
-		return true;
-	}
-	person.entry_end = std::max(entry.start, _now);
-	person.rule_end = std::min(person.rule_end, person.behavior != PersonRecord::none ? person.entry_end : never);
-	if (person.entry_end <= _now && !person.is_in_group()) {
-		begin_entry(entry.person);
-	}
-	schedule(entry.person);
-	return true;
-}
-
 void Simulation::take_in_agenda(PersonId id) {
 	if (!_has_started || !is_living(id)) {
 		return;
 	}
 	PersonRecord &person = record(id);
 	const PlannedEntry entry = plan_at(id, _now);
-	bool goes_on = entry.kind == person.entry_kind && entry.start == person.entry_start && entry.is_hole() == person.is_in_hole();
+	bool goes_on = entry.kind == person.entry_kind && entry.is_hole() == person.is_in_hole(); // its start may have been cut in the past
 	if (goes_on && person.behavior != PersonRecord::none && entry.kind == TaskKind::DelayedRule) {
 		goes_on = _behaviors[person.behavior]->rule() == RuleId(entry.target);
 	} else if (goes_on && person.is_in_group()) {
@@ -271,7 +250,6 @@ bool Simulation::remove_person(PersonId id) {
 	if (has_body && has_bodies()) {
 		_host->free_agent(id);
 	}
-	_inserted.drop(id);
 	person.state = PersonState::Inside;
 	person.place_kind = Target::Kind::None;
 	person.place = PersonRecord::none;

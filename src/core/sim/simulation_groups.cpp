@@ -76,7 +76,7 @@ bool Simulation::is_expected(PersonId id, uint32_t group, PersonId caller) const
 			!record(id).is_in_group()) {
 		return false;
 	}
-	for (const Task &task : _agendas.tasks_of(id)) {
+	for (const Task &task : _agendas.agenda_of(id).on(entry_start.day())) {
 		if (task.kind == TaskKind::Accompany && task.target == group && ((task.days >> entry_start.weekday()) & 1)) {
 			return true;
 		}

@@ -47,7 +47,6 @@ std::string Simulation::save() const {
 	state.statistics = _statistics;
 	state.persons = _persons;
 	state.floating_taken = _floating_taken;
-	state.inserted = _inserted.all();
 	Renumbering walks, behaviors, parties;
 	for (PersonRecord &person : state.persons) {
 		person.walk = walks(person.walk, [&](uint32_t index) { state.walks.push_back(_walks[index]); });
@@ -115,7 +114,6 @@ void Simulation::take_over_state(SavedState &&state, std::vector<std::unique_ptr
 	_free_behaviors.clear();
 	_parties = std::move(state.parties);
 	_floating_taken = std::move(state.floating_taken);
-	_inserted.restore(std::move(state.inserted));
 	_walks.restore(std::move(state.walks));
 	for (uint32_t i = 0; i < _parties.size(); ++i) {
 		_party_of_group[_parties[i].group] = i;
@@ -157,11 +155,7 @@ bool Simulation::is_sound(const SavedState &state) const {
 		return walk.points.size() >= 2 && std::all_of(walk.points.begin(), walk.points.end(), is_finite) && std::isfinite(walk.length) &&
 				walk.length >= 0.0 && std::isfinite(walk.speed) && walk.speed > 0.0f && walk.arrival >= walk.departure;
 	});
-	const bool are_entries_sound = std::all_of(state.inserted.begin(), state.inserted.end(), [&](const InsertedEntry &entry) {
-		return index_of(entry.person) < _persons.size() && entry.kind != TaskKind::Accompany;
-	});
-	InsertedEntries inserted;
-	if (!are_walks_sound || !are_entries_sound || !inserted.restore(state.inserted) || !are_parties_sound(state)) {
+	if (!are_walks_sound || !are_parties_sound(state)) {
 		return false;
 	}
 	Reservations seats;
@@ -205,7 +199,7 @@ bool Simulation::is_sound(const SavedState &state, PersonId id) const {
 	const bool walks_in_group = walks && (person.purpose == Purpose::Group || person.purpose == Purpose::Pickup);
 	const bool has_rule = person.behavior != none;
 	const bool is_in_time = person.queued >= state.now && person.due >= state.now && (person.is_in_group() || person.entry_end >= state.now);
-	const bool has_entry = person.entry_task >= PlannedEntry::inserted || person.entry_task < _agendas.tasks_of(id).size();
+	const bool has_entry = person.is_in_hole() || person.entry_task < _agendas.agenda_of(id).on(person.entry_start.day()).size();
 	if (!is_finite(person.position) || !is_in_time || !has_entry || !names_a_place(person) || walks != (person.walk != none) ||
 			(walks && person.walk >= state.walks.size()) || (has_rule && person.behavior >= state.behaviors.size()) ||
 			(person.is_in_group() && person.party >= state.parties.size())) {

@@ -16,11 +16,8 @@ constexpr uint64_t slot_stream = 0x736C6F74; // keeps draws for floating slots a
 PlannedEntry Simulation::entry_of(PersonId id) const {
 	const PersonRecord &person = record(id);
 	uint32_t target = PersonRecord::none;
-	if (person.entry_task == PlannedEntry::inserted) {
-		const InsertedEntry *entry = _inserted.at(id, person.entry_start);
-		target = entry != nullptr ? entry->target : target;
-	} else if (!person.is_in_hole()) {
-		target = _agendas.tasks_of(id)[person.entry_task].target;
+	if (!person.is_in_hole()) {
+		target = _agendas.agenda_of(id).on(person.entry_start.day())[person.entry_task].target;
 	}
 	return { person.entry_start, person.entry_end, target, person.entry_task, person.entry_kind };
 }

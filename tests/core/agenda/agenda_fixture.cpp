@@ -7,8 +7,8 @@ namespace pcg {
 std::string AgendaFixture::day_of(PersonId id, int day) const {
 	constexpr std::array<std::string_view, 5> kinds{ "stay", "go", "accompany", "rule", "slot" };
 	std::string text;
-	for (const Task &task : agendas.tasks_of(id)) {
-		if (!((task.days >> day) & 1)) {
+	for (const Task &task : agendas.agenda_of(id).on(day)) {
+		if (!((task.days >> day % 7) & 1)) {
 			continue;
 		}
 		text += text.empty() ? "" : "; ";

@@ -2,6 +2,7 @@
 
 #include "agenda_fixture.h"
 #include "core/agenda/agenda_edit.h"
+#include "core/base/random.h"
 
 using namespace pcg;
 
@@ -41,7 +42,9 @@ Household -->
 )"));
 		REQUIRE(fixture.problems() == "");
 	}
-	AgendaChange insert(PersonId person, const Task &task) { return insert_task(fixture.agendas, fixture.population, person, task); }
+	AgendaChange insert(PersonId person, const Task &task, std::optional<int64_t> day = std::nullopt) {
+		return insert_task(fixture.agendas, fixture.population, person, task, day);
+	}
 };
 
 } // namespace
@@ -97,11 +100,118 @@ TEST_CASE("entries inserted later can be named and required too") {
 	CHECK(family.fixture.day_of(family.parent) == "07:50-08:00 accompany to 1; 16:00-16:10 accompany to 0; 18:00-20:00 stay 0");
 }
 
+TEST_CASE("an entry for one day obeys the same rule there, and leaves all other weeks alone") {
+	Family family;
+	const AgendaChange change = family.insert(family.child, stay(10, 11, family.home), 8); // the second Tuesday
+	CHECK(change.is_inserted);
+	CHECK(change.changed == std::vector<PersonId>{ family.child });
+	CHECK(change.dropped.empty());
+	const std::string usual = family.fixture.day_of(family.child, 7);
+	CHECK(family.fixture.day_of(family.child, 8) ==
+			"07:50-08:00 accompany to 1; 08:00-10:00 stay 1; 10:00-11:00 stay 0; 11:00-16:00 stay 1; 16:00-16:10 accompany to 0");
+	CHECK(family.fixture.day_of(family.child, 1) == usual);
+	CHECK(family.fixture.day_of(family.child, 9) == usual);
+	CHECK(family.fixture.agendas.agenda_of(family.child).single_days.size() == 1);
+	CHECK(family.fixture.agendas.agenda_of(family.parent).single_days.empty());
+	forget_days_before(family.fixture.agendas, 9);
+	CHECK(family.fixture.day_of(family.child, 8) == usual);
+}
+
+TEST_CASE("a child that falls ill on one Monday is not fetched on that Monday") {
+	Family family;
+	const AgendaChange change = family.insert(family.child, stay(0, 24, family.home), 14);
+	CHECK(change.changed == std::vector<PersonId>{ family.parent, family.child });
+	REQUIRE(change.dropped.size() == 1);
+	CHECK(change.dropped[0].person == family.parent);
+	CHECK(change.dropped[0].reason == Unmet::Lost);
+	CHECK(change.dropped[0].day == 14);
+	CHECK(change.dropped[0].task.days == monday);
+	CHECK(family.fixture.day_of(family.child, 14) == "00:00-24:00 stay 0");
+	CHECK(family.fixture.day_of(family.parent, 14) == "07:50-08:00 accompany to 1");
+	CHECK(family.fixture.day_of(family.parent, 7) == "07:50-08:00 accompany to 1; 16:00-16:10 accompany to 0");
+	CHECK(family.fixture.day_of(family.parent, 21) == "07:50-08:00 accompany to 1; 16:00-16:10 accompany to 0");
+}
+
+TEST_CASE("an entry for one day that runs past midnight cuts the next day too, and one may begin on the day before or after") {
+	Family family;
+	Task night = stay(20, 33, family.home);
+	REQUIRE(family.insert(family.child, night, 6).is_inserted);
+	CHECK(family.fixture.day_of(family.child, 6).ends_with("; 20:00-33:00 stay 0"));
+	CHECK(family.fixture.day_of(family.child, 7) == "09:00-16:00 stay 1"); // it was not brought, so nobody fetches it
+	CHECK(family.fixture.day_of(family.child, 0).starts_with("07:50"));
+	REQUIRE(family.insert(family.child, stay(34, 35, family.home), 14).is_inserted);
+	CHECK(family.fixture.day_of(family.child, 15) ==
+			"07:50-08:00 accompany to 1; 08:00-10:00 stay 1; 10:00-11:00 stay 0; 11:00-16:00 stay 1; 16:00-16:10 accompany to 0");
+	REQUIRE(family.insert(family.child, stay(-4, -3, family.home), 22).is_inserted);
+	CHECK(family.fixture.day_of(family.child, 21).ends_with("; 20:00-21:00 stay 0"));
+}
+
+TEST_CASE("the week changes around what is for one day; what the newer entry of every week overlaps gives way there too") {
+	Family family;
+	REQUIRE(family.insert(family.child, stay(18, 20, family.school), 7).is_inserted);
+	REQUIRE(family.insert(family.child, stay(19, 21, family.home)).is_inserted);
+	CHECK(family.fixture.day_of(family.child, 7).ends_with("18:00-19:00 stay 1; 19:00-21:00 stay 0"));
+	CHECK(family.fixture.day_of(family.child, 8).ends_with("16:10 accompany to 0; 19:00-21:00 stay 0"));
+	const AgendaChange change = family.insert(family.child, stay(0, 24, family.home, monday));
+	CHECK(change.dropped.size() == 2); // of every Monday, and of the one that was another
+	CHECK(family.fixture.day_of(family.child, 7) == "00:00-24:00 stay 0");
+	CHECK(family.fixture.day_of(family.parent, 7) == "07:50-08:00 accompany to 1");
+	CHECK(family.fixture.agendas.agenda_of(family.child).single_days.empty()); // it is like the week now
+}
+
+TEST_CASE("whatever is inserted for days and weeks, every minute belongs to the newest entry over it") {
+	constexpr int days = 22;
+	for (uint64_t seed = 1; seed <= 40; ++seed) {
+		Random random(seed, 77);
+		Family family;
+		family.fixture.agendas.changed[index_of(family.child)] = {}; // an empty week
+		std::vector<int> expected(size_t(days) * 144, -1); // by ten minutes: the newest
+		for (int newest = 0; newest < 25; ++newest) {
+			Task task;
+			const int first = int(random.index(144 * 3)) - 144, length = 1 + int(random.index(144));
+			task.start_ms = first * 600'000;
+			task.end_ms = task.start_ms + length * 600'000;
+			task.target = uint32_t(newest);
+			task.days = DayMask(1 + random.index(127));
+			const bool is_single = random.chance(0.6);
+			const int64_t day = int64_t(random.index(days));
+			REQUIRE(family.insert(family.child, task, is_single ? std::optional(day) : std::nullopt).is_inserted);
+			for (int written = -4; written < days + 4; ++written) {
+				if (is_single ? written != day : !((task.days >> (written + 7) % 7) & 1)) {
+					continue;
+				}
+				for (int i = written * 144 + first; i < written * 144 + first + length; ++i) {
+					if (i >= 0 && i < int(expected.size())) {
+						expected[size_t(i)] = newest;
+					}
+				}
+			}
+		}
+		std::vector<int> found(expected.size(), -1);
+		int doubly = 0;
+		const AgendaView agenda = family.fixture.agendas.agenda_of(family.child);
+		for (int day = -1; day < days; ++day) {
+			for (const Task &task : agenda.on(day)) {
+				for (int i = task.start_ms / 600'000; ((task.days >> (day + 7) % 7) & 1) && i < task.end_ms / 600'000; ++i) {
+					const int place = day * 144 + i;
+					if (place >= 0 && place < int(found.size())) {
+						doubly += found[size_t(place)] != -1;
+						found[size_t(place)] = int(task.target);
+					}
+				}
+			}
+		}
+		CHECK(doubly == 0);
+		CHECK(found == expected);
+	}
+}
+
 TEST_CASE("what cannot be inserted changes nothing") {
 	Family family;
 	CHECK_FALSE(family.insert(PersonId(99), stay(1, 2, family.home)).is_inserted);
 	CHECK_FALSE(family.insert(family.child, stay(2, 2, family.home)).is_inserted);
 	CHECK_FALSE(family.insert(family.child, stay(2, 3, family.home, 0)).is_inserted);
 	CHECK(family.insert(family.child, stay(0, 30, family.home)).changed.empty());
+	CHECK_FALSE(family.insert(family.child, stay(3, 2, family.home), 5).is_inserted);
 	CHECK(family.fixture.agendas.changed.empty());
 }

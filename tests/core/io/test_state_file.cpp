@@ -33,7 +33,7 @@ TEST_CASE("a saved game brings its people along and goes on") {
 	CHECK(diagnostics.is_empty());
 }
 
-TEST_CASE("what is no saved game, damaged or of a newer version gives one error that says so") {
+TEST_CASE("what is no saved game, damaged or of another version gives one error that says so") {
 	Town town;
 	fill_at_random(town, 4);
 	Simulation &simulation = town.simulate();
@@ -48,9 +48,11 @@ TEST_CASE("what is no saved game, damaged or of a newer version gives one error 
 	};
 	CHECK(message_of("") == "this is no saved simulation");
 	CHECK(message_of("PNG and so on, long enough for a header") == "this is no saved simulation");
-	std::string newer = good;
-	newer[8] = 2;
-	CHECK(message_of(newer) == "it was saved by a newer version (format 2, this one reads up to 1)");
+	std::string other = good;
+	other[8] = 3;
+	CHECK(message_of(other) == "it was saved by a newer version (format 3, this one reads format 2)");
+	other[8] = 1;
+	CHECK(message_of(other) == "it was saved by an older version (format 1, this one reads format 2)");
 	CHECK(message_of(good.substr(0, 9)) == "the saved simulation is damaged");
 	CHECK(message_of(good.substr(0, good.size() - 1)) == "the saved simulation is damaged");
 	CHECK(message_of(good + "x") == "the saved simulation is damaged");

@@ -22,7 +22,7 @@ void fill(Town &town) {
 	task.name = 1;
 	task.days_later = 6;
 	task.requirement = 1;
-	town.agendas.changed[1] = { task };
+	town.agendas.changed[1] = { { task }, { { -3, { task } }, { 40, {} } } };
 }
 
 } // namespace
@@ -48,6 +48,9 @@ TEST_CASE("people and agendas come back as they were, with what was changed") {
 	CHECK(tasks[0].name == 1);
 	CHECK(tasks[0].days_later == 6);
 	CHECK(tasks[0].requirement == 1);
+	CHECK(people.agendas.agenda_of(PersonId(1)).on(-3).size() == 1);
+	CHECK(people.agendas.agenda_of(PersonId(1)).on(40).empty());
+	CHECK(people.agendas.agenda_of(PersonId(1)).on(41).size() == 1);
 }
 
 TEST_CASE("people that contradict themselves are refused") {
@@ -73,7 +76,9 @@ TEST_CASE("people that contradict themselves are refused") {
 	CHECK(is_refused([](Population &, AgendaSet &agendas) { agendas.groups[0].leader = PersonId::Invalid; }));
 	CHECK(is_refused([](Population &, AgendaSet &agendas) { agendas.requirements[1].outer = 1; }));
 	CHECK(is_refused([](Population &, AgendaSet &agendas) { agendas.requirements[1].name = 2; }));
-	CHECK(is_refused([](Population &, AgendaSet &agendas) { agendas.changed[1].push_back({}); }));
+	CHECK(is_refused([](Population &, AgendaSet &agendas) { agendas.changed[1].week.push_back({}); }));
+	CHECK(is_refused([](Population &, AgendaSet &agendas) { agendas.changed[1].single_days[0].tasks.push_back({}); }));
+	CHECK(is_refused([](Population &, AgendaSet &agendas) { agendas.changed[1].single_days[0].day = 40; }));
 	SavedPeople read;
 	const std::string bytes = people_to_bytes(town.population, town.agendas);
 	CHECK(!people_from_bytes(bytes + '\0', read));

@@ -7,7 +7,7 @@
 
 #include <doctest/doctest.h>
 
-#include "core/agenda/agenda.h"
+#include "core/agenda/agenda_edit.h"
 #include "core/io/rule_loader.h"
 #include "core/navigation/straight_line_paths.h"
 #include "core/sim/dialect.h"
@@ -66,14 +66,17 @@ struct Town {
 		return PersonId(uint32_t(population.persons.size() - 1));
 	}
 
-	void task(PersonId id, TaskKind kind, int32_t start, int32_t end, uint32_t target, DayMask days = all_days) {
+	static Task entry(TaskKind kind, int32_t start, int32_t end, uint32_t target, DayMask days = all_days) {
 		Task result;
 		result.kind = kind;
 		result.start_ms = start;
 		result.end_ms = end;
 		result.target = target;
 		result.days = days;
-		tasks[index_of(id)].push_back(result);
+		return result;
+	}
+	void task(PersonId id, TaskKind kind, int32_t start, int32_t end, uint32_t target, DayMask days = all_days) {
+		tasks[index_of(id)].push_back(entry(kind, start, end, target, days));
 	}
 	void stay(PersonId id, int32_t start, int32_t end, BuildingId building, DayMask days = all_days) {
 		task(id, TaskKind::StayInside, start, end, index_of(building), days);
@@ -139,6 +142,15 @@ struct Town {
 		_simulation =
 				std::make_unique<Simulation>(city, paths, population, agendas, program, settings, host);
 		return *_simulation;
+	}
+
+	// As a game does while it runs.
+	bool insert(PersonId id, const Task &task, std::optional<int64_t> day = std::nullopt) {
+		const AgendaChange change = insert_task(agendas, population, id, task, day);
+		for (PersonId changed : change.changed) {
+			_simulation->take_in_agenda(changed);
+		}
+		return change.is_inserted;
 	}
 
 private:
