@@ -159,49 +159,70 @@ TEST_CASE("the week changes around what is for one day; what the newer entry of 
 	CHECK(family.fixture.agendas.agenda_of(family.child).single_days.empty()); // it is like the week now
 }
 
+namespace {
+
+constexpr int tens_a_day = 144; // ten minutes each
+
+// Who holds each ten minutes of some days: what was said, and what the agenda says.
+class TensOfMinutes {
+public:
+	static constexpr int days = 22;
+
+	void paint(int64_t day, int first, int length, int who) {
+		for (int64_t i = day * tens_a_day + first; i < day * tens_a_day + first + length; ++i) {
+			if (i >= 0 && i < int64_t(_owner.size())) {
+				overlaps += _owner[size_t(i)] != -1;
+				_owner[size_t(i)] = who;
+			}
+		}
+	}
+	bool operator==(const TensOfMinutes &other) const { return _owner == other._owner; }
+
+	int overlaps = 0;
+
+private:
+	std::vector<int> _owner = std::vector<int>(size_t(days) * tens_a_day, -1);
+};
+
+bool is_on(DayMask days, int64_t day) { return (days >> (day + 7) % 7) & 1; }
+
+void insert_at_random(Family &family, Random &random, int newest, TensOfMinutes &expected) {
+	const int first = int(random.index(tens_a_day * 3)) - tens_a_day, length = 1 + int(random.index(tens_a_day));
+	Task task;
+	task.start_ms = first * 600'000;
+	task.end_ms = task.start_ms + length * 600'000;
+	task.target = uint32_t(newest);
+	task.days = DayMask(1 + random.index(127));
+	const bool is_single = random.chance(0.6);
+	const int64_t single = int64_t(random.index(TensOfMinutes::days));
+	REQUIRE(family.insert(family.child, task, is_single ? std::optional(single) : std::nullopt).is_inserted);
+	for (int64_t day = -4; day < TensOfMinutes::days + 4; ++day) {
+		if (is_single ? day == single : is_on(task.days, day)) {
+			expected.paint(day, first, length, newest);
+		}
+	}
+}
+
+} // namespace
+
 TEST_CASE("whatever is inserted for days and weeks, every minute belongs to the newest entry over it") {
-	constexpr int days = 22;
 	for (uint64_t seed = 1; seed <= 40; ++seed) {
 		Random random(seed, 77);
 		Family family;
 		family.fixture.agendas.changed[index_of(family.child)] = {}; // an empty week
-		std::vector<int> expected(size_t(days) * 144, -1); // by ten minutes: the newest
+		TensOfMinutes expected, found;
 		for (int newest = 0; newest < 25; ++newest) {
-			Task task;
-			const int first = int(random.index(144 * 3)) - 144, length = 1 + int(random.index(144));
-			task.start_ms = first * 600'000;
-			task.end_ms = task.start_ms + length * 600'000;
-			task.target = uint32_t(newest);
-			task.days = DayMask(1 + random.index(127));
-			const bool is_single = random.chance(0.6);
-			const int64_t day = int64_t(random.index(days));
-			REQUIRE(family.insert(family.child, task, is_single ? std::optional(day) : std::nullopt).is_inserted);
-			for (int written = -4; written < days + 4; ++written) {
-				if (is_single ? written != day : !((task.days >> (written + 7) % 7) & 1)) {
-					continue;
-				}
-				for (int i = written * 144 + first; i < written * 144 + first + length; ++i) {
-					if (i >= 0 && i < int(expected.size())) {
-						expected[size_t(i)] = newest;
-					}
-				}
-			}
+			insert_at_random(family, random, newest, expected);
 		}
-		std::vector<int> found(expected.size(), -1);
-		int doubly = 0;
 		const AgendaView agenda = family.fixture.agendas.agenda_of(family.child);
-		for (int day = -1; day < days; ++day) {
+		for (int64_t day = -1; day < TensOfMinutes::days; ++day) {
 			for (const Task &task : agenda.on(day)) {
-				for (int i = task.start_ms / 600'000; ((task.days >> (day + 7) % 7) & 1) && i < task.end_ms / 600'000; ++i) {
-					const int place = day * 144 + i;
-					if (place >= 0 && place < int(found.size())) {
-						doubly += found[size_t(place)] != -1;
-						found[size_t(place)] = int(task.target);
-					}
+				if (is_on(task.days, day)) {
+					found.paint(day, task.start_ms / 600'000, (task.end_ms - task.start_ms) / 600'000, int(task.target));
 				}
 			}
 		}
-		CHECK(doubly == 0);
+		CHECK(found.overlaps == 0);
 		CHECK(found == expected);
 	}
 }
