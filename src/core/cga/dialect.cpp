@@ -39,7 +39,9 @@ Dialect make_dialect() {
 	add_uv_operations(dialect);
 	add_uv_split_operations(dialect);
 	add_flow_operations(dialect);
+	add_reset_operations(dialect);
 	add_semantic_operations(dialect);
+	add_unbuilt(dialect);
 	return dialect;
 }
 

@@ -93,6 +93,14 @@ template <uint32_t Look::*member, LookPart part> bool write_text(Context &contex
 }
 Value read_shader(Vm &vm) { return look_of(vm).shader == 0 ? Value::of(vm.make_text("CityEngineShader")) : read_text<&Look::shader>(vm); }
 
+// How the opacity map is used follows from the map itself.
+Value read_opacity_mode(Vm &vm) { return Value::of(vm.make_text("blend")); }
+Value read_opacity_cutoff(Vm &) { return Value::of(0.5); }
+bool ignore(Context &context, const Value &) {
+	context.vm.warn("not-supported", "material.opacitymap.mode and .cutoff are accepted, without effect");
+	return true;
+}
+
 Value read_double_sided(Vm &vm) { return Value::of(look_of(vm).is_double_sided); }
 bool write_double_sided(Context &context, const Value &value) {
 	if (!value.is_bool()) {
@@ -190,6 +198,8 @@ std::vector<Row> make_rows() {
 	rows.push_back({ "material.name", text, read_text<&Look::name>, write_text<&Look::name, LookPart::Name>, "The name in exported files." });
 	rows.push_back({ "material.shader", text, read_shader, write_text<&Look::shader, LookPart::Shader>, "CityEngine's name of the shader; kept, without effect." });
 	add_maps(rows, std::make_index_sequence<texture_use_count>());
+	rows.push_back({ "material.opacitymap.mode", text, read_opacity_mode, ignore, "Accepted, without effect: always \"blend\"." });
+	rows.push_back({ "material.opacitymap.cutoff", number, read_opacity_cutoff, ignore, "Accepted, without effect: always 0.5." });
 	return rows;
 }
 

@@ -214,7 +214,7 @@ void Compiler::unknown_command(const Command &command) {
 		wrong_count(command.name, command.arguments, command.offset);
 		return;
 	}
-	if (_dialect.has_function(command.name) || _set.has_value(_scope.space, command.name)) {
+	if (is_strict() && (_dialect.has_function(command.name) || _set.has_value(_scope.space, command.name))) {
 		const bool is_function = _dialect.has_function(command.name) || command.has_arguments;
 		complain("not-a-command", command.offset,
 				"`" + std::string(command.name) + "` is a " + (is_function ? "function" : "value") + ", not a rule or an operation",
@@ -314,13 +314,21 @@ BlockEntry Compiler::block_entry(const AstEntry &source, BlockKind kind) {
 	return entry;
 }
 
+// What gives a value without arguments: of the rule set, a parameter, or built in.
+bool Compiler::is_value_name(std::string_view name) const {
+	const bool is_own = _set.has_value(_scope.space, name) || std::find(_scope.locals.begin(), _scope.locals.end(), name) != _scope.locals.end();
+	return is_own || (!is_selector_word(name) && (_dialect.find_function(name, 0) >= 0 || _dialect.find_variable(name) >= 0));
+}
+
 BlockEntry Compiler::entry_with_head(const AstEntry &source, BlockKind kind) {
 	BlockEntry entry;
 	const Expr &head = _scope.ast->exprs[source.head];
 	const bool is_word = kind == BlockKind::Selectors && head.kind == ExprKind::Name;
 	entry.word = is_word ? symbol(head.name) : no_symbol;
-	const bool is_defined = is_word && (_set.has_value(_scope.space, head.name) ||
-											   std::find(_scope.locals.begin(), _scope.locals.end(), head.name) != _scope.locals.end());
+	const bool is_defined = is_word && is_value_name(head.name);
+	if (is_word && !is_defined && !_dialect.selector_words.empty() && !is_selector_word(head.name)) {
+		warn("unknown-selector", head.offset, "`" + std::string(head.name) + "` selects nothing: there is no selector, value or function of that name");
+	}
 	if (!is_word || is_defined) {
 		const bool was_selector = std::exchange(_scope.is_selector, kind == BlockKind::Selectors);
 		entry.head = value_chunk(source.head, kind == BlockKind::Sizes);

@@ -122,6 +122,7 @@ private:
 	bool local_name(const Expr &expr);
 	Known global_name(const Expr &expr, bool is_required);
 	bool is_selector_word(std::string_view name) const;
+	bool is_value_name(std::string_view name) const;
 	Known unknown_global(const Expr &expr);
 
 	// compile_call.cpp: arguments of built-ins

@@ -217,7 +217,9 @@ uint32_t Parser::parse_call() {
 			command.arguments = add_children(parse_arguments());
 		}
 	}
-	if (is(TokenKind::OpenBrace) && !_panic) {
+	if (is(TokenKind::Name) && is_solid_operation(command.name)) {
+		command.block = parse_rule_as_block();
+	} else if (is(TokenKind::OpenBrace) && !_panic) {
 		command.block = parse_block();
 		if (accept(TokenKind::Star)) {
 			_ast.blocks[command.block].is_repeated = true;
@@ -236,6 +238,23 @@ uint32_t Parser::parse_import_call_command(Command command) {
 	command.arguments = _ast.exprs[call].children;
 	command.block = _ast.exprs[call].block;
 	return add(command);
+}
+
+// `union Rule` is `union { Rule }` (CGA reference: op_boolOp).
+bool Parser::is_solid_operation(std::string_view name) const {
+	return (name == "union" || name == "subtract" || name == "intersect") && !is_keyword(text(peek()));
+}
+
+uint32_t Parser::parse_rule_as_block() {
+	AstBlock block;
+	Depth depth(*this);
+	AstEntry entry;
+	entry.offset = block.offset = peek().offset;
+	entry.body = add_body(depth.is_fine() ? std::vector<uint32_t>{ parse_command() } : std::vector<uint32_t>{});
+	_ast.entries.push_back(entry);
+	block.entries = add_children({ uint32_t(_ast.entries.size() - 1) });
+	_ast.blocks.push_back(block);
+	return uint32_t(_ast.blocks.size() - 1);
 }
 
 uint32_t Parser::parse_block() {
@@ -260,20 +279,27 @@ uint32_t Parser::parse_block() {
 	return uint32_t(_ast.blocks.size() - 1);
 }
 
-// Whether the entry is `head : body` or a body alone: looks for the separator outside of brackets, before a chain could own it.
+// Whether the entry is `head : body` or a body alone: looks for a separator outside of brackets that no branch of a chain owns. A head may be a
+// chain itself: `case wide : 3 else : 2 : Wall`.
 bool Parser::has_head() const {
+	uint32_t open_branches = 0;
 	for (uint32_t i = _at; i < _tokens.size();) {
 		const Token &token = _tokens[i];
 		switch (token.kind) {
 			case TokenKind::Colon:
-				return _tokens[i - 1].kind != TokenKind::Percent;
+				if (_tokens[i - 1].kind == TokenKind::Percent) {
+					break;
+				}
+				if (open_branches == 0) {
+					return true;
+				}
+				--open_branches;
+				break;
 			case TokenKind::Assign:
 			case TokenKind::ConnectedAssign:
-				return true;
+				return open_branches == 0;
 			case TokenKind::Name:
-				if (is_keyword(text(token))) {
-					return false;
-				}
+				open_branches += is_keyword(text(token)) ? 1 : 0;
 				break;
 			case TokenKind::Bar:
 			case TokenKind::CloseBrace:

@@ -72,6 +72,8 @@ private:
 	uint32_t parse_inline();
 	uint32_t parse_import_call_command(Command command);
 	uint32_t parse_group();
+	bool is_solid_operation(std::string_view name) const;
+	uint32_t parse_rule_as_block();
 	uint32_t parse_block();
 	uint32_t parse_entry();
 	bool has_head() const;

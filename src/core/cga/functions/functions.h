@@ -15,5 +15,7 @@ void add_flow_functions(Dialect &dialect); // print report isNull getTreeKey
 
 // The text of an argument; empty if it is none.
 std::string_view text_at(const Args &args, size_t i);
+// What a text begins with; not a number if that is none.
+double number_of(std::string_view text);
 
 } // namespace pcg::cga

@@ -11,6 +11,13 @@
 // Conversions and texts (CGA reference, section 8.1). Places in a text count characters, not bytes.
 namespace pcg::cga {
 
+double number_of(std::string_view text) {
+	text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n+"), text.size()));
+	double result = NAN;
+	const auto parsed = std::from_chars(text.data(), text.data() + text.size(), result);
+	return parsed.ec == std::errc::result_out_of_range ? (text.starts_with('-') ? -INFINITY : INFINITY) : result;
+}
+
 std::string_view text_at(const Args &args, size_t i) {
 	return i < args.count() && args[i].is_text() ? args[i].text->view : std::string_view();
 }
@@ -35,13 +42,6 @@ size_t byte_of(std::string_view text, double character) {
 }
 
 Value to_text(Vm &vm, const Args &args) { return make(vm, value_text(args[0])); }
-
-double number_of(std::string_view text) {
-	text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n+"), text.size()));
-	double result = NAN;
-	const auto parsed = std::from_chars(text.data(), text.data() + text.size(), result);
-	return parsed.ec == std::errc::result_out_of_range ? (text.starts_with('-') ? -INFINITY : INFINITY) : result;
-}
 
 Value to_number(Vm &, const Args &args) {
 	if (args[0].is_text()) {

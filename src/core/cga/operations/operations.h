@@ -25,7 +25,9 @@ void add_projection_operations(Dialect &dialect); // setupProjection projectUV
 void add_uv_operations(Dialect &dialect); // translateUV tileUV ..
 void add_uv_split_operations(Dialect &dialect); // split(u, ..)
 void add_flow_operations(Dialect &dialect); // NIL report print label
+void add_reset_operations(Dialect &dialect); // resetGeometry resetMaterial setMaterial
 void add_semantic_operations(Dialect &dialect); // entrance zone place
+void add_unbuilt(Dialect &dialect); // union tag modify ..
 
 void add_variables(Dialect &dialect); // scope.sx split.index ..
 void add_functions(Dialect &dialect); // str float ..

@@ -134,11 +134,6 @@ Flow rectify(Vm &vm, const Args &args) {
 	return Flow::Next;
 }
 
-Flow boolean_operation(Vm &vm, const Args &) {
-	vm.warn("not-supported", "union, subtract and intersect of volumes are not built; the shape stays as it is");
-	return Flow::Next;
-}
-
 } // namespace
 
 void add_outline_operations(Dialect &dialect) {
@@ -153,10 +148,6 @@ void add_outline_operations(Dialect &dialect) {
 	operations.push_back({ "footprint", {}, BlockKind::None, footprint, "The outline of the shape as seen from above, on the bottom of its scope." });
 	operations.push_back({ "rectify", { { "angle", Number } }, BlockKind::None, rectify,
 			"Turns edges that are off the scope's axes by less than this angle (degrees, up to 45) parallel to them." });
-	for (const char *name : { "union", "subtract", "intersect" }) {
-		operations.push_back({ name, { { "argument", Any, {}, true, true } }, BlockKind::Bodies, boolean_operation,
-				"Not built: the shape stays as it is, with a warning." });
-	}
 }
 
 } // namespace pcg::cga

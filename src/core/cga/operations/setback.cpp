@@ -249,6 +249,9 @@ Flow setback_to_area(Vm &vm, const Args &args) {
 } // namespace
 
 void add_setback_operations(Dialect &dialect) {
+	for (const std::string_view word : { "remainder", "uv.left", "uv.right", "uv.bottom", "uv.top", "uv.uMin", "uv.uMax", "uv.vMin", "uv.vMax" }) {
+		dialect.selector_words.push_back(word);
+	}
 	using enum ParamKind;
 	auto &operations = dialect.operations;
 	const ParamSpec uv_set = { "uvSet", Number, {}, true };

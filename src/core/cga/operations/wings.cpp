@@ -178,6 +178,7 @@ Flow inner_rect(Vm &vm, const Args &) {
 } // namespace
 
 void add_wing_operations(Dialect &dialect) {
+	dialect.selector_words.push_back("shape");
 	using enum ParamKind;
 	auto &operations = dialect.operations;
 	const ParamSpec front = { "frontWidth", Number }, right = { "rightWidth", Number }, back = { "backWidth", Number }, left = { "leftWidth", Number };
