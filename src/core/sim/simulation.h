@@ -194,6 +194,7 @@ private:
 	uint32_t call_party(uint32_t group, PersonId caller);
 	bool is_expected(PersonId id, uint32_t group, PersonId caller) const;
 	void lead_on(uint32_t party);
+	void lead_on_or_end(uint32_t party);
 	bool is_with_leader(PersonId leader, PersonId joiner) const;
 	void collect_here(Party &party);
 	PersonId nearest_pending(const Party &party) const;

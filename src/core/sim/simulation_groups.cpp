@@ -253,10 +253,17 @@ void Simulation::lose_patience(PersonId id) {
 	}
 	std::erase(party.pending, id);
 	go_alone(id); // its next entry may begin, and make a party: references to them are void
-	const PersonId leader = _parties[index].leader;
-	if (index_of(leader) < _persons.size() && record(leader).party == index) {
+	lead_on_or_end(index);
+}
+
+// A party without a leader waits for it as long as somebody is there to wait: nothing is left of it for the next day, or for a saved state, which
+// knows parties by their members.
+void Simulation::lead_on_or_end(uint32_t index) {
+	const Party &party = _parties[index];
+	const auto is_here = [&](PersonId id) { return index_of(id) < _persons.size() && record(id).party == index; };
+	if (is_here(party.leader)) {
 		lead_on(index);
-	} else if (_parties[index].pending.empty()) {
+	} else if (std::none_of(party.pending.begin(), party.pending.end(), is_here)) {
 		end_party(index);
 	}
 }
@@ -284,8 +291,7 @@ void Simulation::leave_party(PersonId id) {
 	std::erase(party.pending, id);
 	std::erase(party.collected, id);
 	if (id != party.leader) {
-		const bool is_led = index_of(party.leader) < _persons.size() && record(party.leader).party == index;
-		is_led ? lead_on(index) : (party.pending.empty() ? end_party(index) : void());
+		lead_on_or_end(index);
 		return;
 	}
 	for (PersonId member : party.collected) {
