@@ -127,9 +127,10 @@ bool is_planar(const Shape &shape, double tolerance_deg) {
 		const auto loop = scaled_loop(shape, face.first_loop);
 		const glm::dvec3 normal = loop_normal(loop);
 		for (size_t i = 0; i < loop.size(); ++i) {
-			const glm::dvec3 next = loop[(i + 1) % loop.size()];
-			const glm::dvec3 local = glm::cross(next - loop[i], loop[(i + 2) % loop.size()] - next);
-			result &= glm::length(glm::cross(local, normal)) <= sine * glm::length(local) || glm::length(local) < 1e-12;
+			const glm::dvec3 next = loop[(i + 1) % loop.size()], before = next - loop[i], behind = loop[(i + 2) % loop.size()] - next;
+			const glm::dvec3 local = glm::cross(before, behind);
+			const bool says_nothing = glm::length(local) < 1e-12 || glm::dot(before, before) < 1e-12 || glm::dot(behind, behind) < 1e-12;
+			result &= says_nothing || glm::length(glm::cross(local, normal)) <= sine * glm::length(local);
 		}
 		result &= loop.size() >= 3;
 	});

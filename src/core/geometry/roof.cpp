@@ -49,12 +49,19 @@ using PointKey = std::pair<int64_t, int64_t>;
 // A tenth of a millimetre: finer than any roof detail, coarser than the skeleton's rounding.
 PointKey key_of(glm::dvec2 point) { return { std::llround(point.x * 1e4), std::llround(point.y * 1e4) }; }
 
-// Ridge vertices (where three or more planes meet above the eaves) all at their mean height.
-void level_ridge(std::vector<RoofFace> &faces, double eaves) {
+// Ridge vertices (where planes meet above the eaves) all at their mean height, and with them the tops of gables.
+void level_ridge(std::vector<RoofFace> &faces) {
+	double eaves = endless;
 	std::map<PointKey, double> heights;
 	for (const RoofFace &face : faces) {
+		eaves = face.part == RoofPart::Plane ? std::min(eaves, face.outline[0].z) : eaves;
+	}
+	const auto is_ridge = [&](const RoofFace &face, const glm::dvec3 &point) {
+		return face.part == RoofPart::Plane ? point.z > eaves + 1e-9 : &point == &face.outline.back();
+	};
+	for (const RoofFace &face : faces) {
 		for (const glm::dvec3 &point : face.outline) {
-			if (point.z > eaves + 1e-9) {
+			if (face.part == RoofPart::Plane && is_ridge(face, point)) {
 				heights[key_of(point)] = point.z;
 			}
 		}
@@ -65,7 +72,7 @@ void level_ridge(std::vector<RoofFace> &faces, double eaves) {
 	}
 	for (RoofFace &face : faces) {
 		for (glm::dvec3 &point : face.outline) {
-			if (point.z > eaves + 1e-9) {
+			if (is_ridge(face, point)) {
 				point.z = sum / double(heights.size());
 			}
 		}
@@ -86,7 +93,7 @@ std::map<PointKey, int> count_uses(const std::vector<RoofFace> &faces) {
 }
 
 // The direction in which the ridge arrives at the apex of a hip end, from the neighbouring planes; zero if there is none.
-glm::dvec2 ridge_direction(const std::vector<RoofFace> &faces, const RoofFace &end) {
+glm::dvec3 ridge_direction(const std::vector<RoofFace> &faces, const RoofFace &end) {
 	const glm::dvec3 apex = end.outline[2];
 	for (const RoofFace &face : faces) {
 		const size_t count = face.outline.size();
@@ -94,20 +101,29 @@ glm::dvec2 ridge_direction(const std::vector<RoofFace> &faces, const RoofFace &e
 			const glm::dvec3 a = face.outline[i], b = face.outline[(i + 1) % count];
 			const bool is_apex_first = key_of(a) == key_of(apex), is_apex_second = key_of(b) == key_of(apex);
 			const glm::dvec3 other = is_apex_first ? b : a;
-			const bool is_eave_corner = key_of(other) == key_of(end.outline[0]) || key_of(other) == key_of(end.outline[1]);
-			if (is_apex_first != is_apex_second && !is_eave_corner && other.z >= apex.z - 1e-6 && count > 3) {
-				return glm::dvec2(apex) - glm::dvec2(other);
+			if (is_apex_first != is_apex_second && other.z > end.outline[0].z + 1e-6 && count > 3) {
+				return apex - other;
 			}
 		}
 	}
-	return glm::dvec2(0.0);
+	return glm::dvec3(0.0);
 }
 
-// Where the line from `apex` along `direction` meets the line of the edge a-b.
-glm::dvec2 meet_edge(glm::dvec2 apex, glm::dvec2 direction, glm::dvec2 a, glm::dvec2 b) {
+// Where the line from `point` along `direction` meets the upright plane through a-b, seen from above; `point` if they are parallel.
+glm::dvec3 meet_wall(glm::dvec3 point, glm::dvec3 direction, glm::dvec2 a, glm::dvec2 b) {
 	const glm::dvec2 side = b - a, normal(side.y, -side.x);
-	const double rate = glm::dot(direction, normal);
-	return std::abs(rate) < 1e-12 ? apex : apex + direction * (glm::dot(a - apex, normal) / rate);
+	const double rate = glm::dot(glm::dvec2(direction), normal);
+	return std::abs(rate) < 1e-12 ? point : point + direction * (glm::dot(a - glm::dvec2(point), normal) / rate);
+}
+
+// The eave of the plane beside a hip end, at its first or second corner; `fallback` if that plane has none there.
+glm::dvec3 eave_direction(const std::vector<RoofFace> &faces, const RoofFace &end, size_t corner, glm::dvec3 fallback) {
+	for (const RoofFace &face : faces) {
+		if (&face != &end && face.part == RoofPart::Plane && key_of(face.outline[1 - corner]) == key_of(end.outline[corner])) {
+			return face.outline[1] - face.outline[0];
+		}
+	}
+	return fallback;
 }
 
 void move_point(std::vector<RoofFace> &faces, glm::dvec3 from, glm::dvec3 to) {
@@ -131,37 +147,55 @@ std::pair<glm::dvec2, glm::dvec2> edge_of(const RoofOutline &outline, uint32_t e
 	return {};
 }
 
-// Stands the triangular ends upright on the walls; ridge and eaves run on past them by `beyond`.
+// By more than three degrees.
+bool leaves(glm::dvec3 line, glm::dvec2 side) {
+	const double across = side.x * line.y - side.y * line.x;
+	return std::abs(across) > 0.05 * glm::length(glm::dvec2(line)) && across != 0.0;
+}
+
+// Stands the triangular ends upright on the walls: ridge and eaves run on to a line that is `beyond` the wall, so that planes stay planes.
 void raise_gables(std::vector<RoofFace> &faces, const RoofOutline &outline, double beyond) {
 	const std::map<PointKey, int> uses = count_uses(faces);
 	for (RoofFace &end : faces) {
 		if (!is_hip_end(end) || uses.at(key_of(end.outline[2])) != 3) {
 			continue;
 		}
-		const glm::dvec2 direction = ridge_direction(faces, end);
-		if (glm::dot(direction, direction) < 1e-12) {
+		const glm::dvec3 ridge = ridge_direction(faces, end);
+		const auto [start, stop] = edge_of(outline, end.edge);
+		const glm::dvec2 side = glm::normalize(stop - start), gap = glm::dvec2(side.y, -side.x) * beyond;
+		const glm::dvec3 top = meet_wall(end.outline[2], ridge, start, stop);
+		const double along = glm::dot(glm::dvec2(top) - start, side);
+		const glm::dvec3 directions[] = { eave_direction(faces, end, 0, ridge), eave_direction(faces, end, 1, ridge), ridge };
+		// Beside an inner corner the ridge would miss its wall; a wall that goes straight on is no end.
+		const bool is_end = along > 0.0 && along < glm::distance(start, stop) && top.z > 0.0;
+		if (!is_end || !std::ranges::all_of(directions, [&](glm::dvec3 line) { return leaves(line, side); })) {
 			continue;
 		}
-		const auto [wall_start, wall_end] = edge_of(outline, end.edge);
-		const glm::dvec2 step = glm::normalize(direction) * beyond;
 		const std::vector<glm::dvec3> corners = end.outline;
-		for (const glm::dvec3 &point : corners) {
-			move_point(faces, point, { meet_edge(point, direction, wall_start, wall_end) + step, point.z });
+		for (size_t i = 0; i < corners.size(); ++i) {
+			move_point(faces, corners[i], meet_wall(corners[i], directions[i], start + gap, stop + gap));
 		}
-		const glm::dvec2 top = meet_edge(corners[2], direction, wall_start, wall_end);
-		end = { RoofPart::Gable, end.edge, { { wall_start, 0.0 }, { wall_end, 0.0 }, { top, corners[2].z } }, {} };
+		end = { RoofPart::Gable, end.edge, { { start, 0.0 }, { stop, 0.0 }, top }, {} };
 	}
 }
 
 // A square-like outline has a point where others have a ridge. The planes of edges 0 and 2 share it as a ridge of a millimetre, so that the ends
 // 1 and 3 become gables like any other.
 void open_point_ridge(std::vector<RoofFace> &faces) {
-	const bool is_point = faces.size() == 4 && std::all_of(faces.begin(), faces.end(), is_hip_end);
+	bool is_point = faces.size() == 4 && std::all_of(faces.begin(), faces.end(), is_hip_end);
+	for (size_t i = 0; i < 4 && is_point; ++i) {
+		const glm::dvec2 before(faces[i].outline[1] - faces[i].outline[0]), next = faces[(i + 1) % 4].outline[1] - faces[(i + 1) % 4].outline[0];
+		is_point = before.x * next.y > before.y * next.x; // convex
+	}
 	if (!is_point) {
 		return;
 	}
-	const glm::dvec3 apex = faces[0].outline[2];
-	const glm::dvec3 half_ridge(glm::normalize(glm::dvec2(faces[0].outline[1] - faces[0].outline[0])) * 5e-4, 0.0);
+	const glm::dvec3 apex = faces[0].outline[2], start = faces[0].outline[0];
+	const glm::dvec2 side = glm::normalize(glm::dvec2(faces[0].outline[1] - start)), inwards(-side.y, side.x);
+	const glm::dvec2 opposite = glm::normalize(glm::dvec2(faces[2].outline[1] - faces[2].outline[0]));
+	const glm::dvec2 along = glm::normalize(side - opposite); // both planes meet in the middle between their eaves
+	const double rise = (apex.z - start.z) / glm::dot(inwards, glm::dvec2(apex - start));
+	const glm::dvec3 half_ridge = glm::dvec3(along, rise * glm::dot(inwards, along)) * 5e-4;
 	const glm::dvec3 right = apex + half_ridge, left = apex - half_ridge;
 	faces[0].outline = { faces[0].outline[0], faces[0].outline[1], right, left };
 	faces[2].outline = { faces[2].outline[0], faces[2].outline[1], left, right };
@@ -190,6 +224,31 @@ std::vector<RoofFace> hip_planes(const RoofOutline &outline, RoofSlope slope, do
 	}
 	std::stable_sort(faces.begin(), faces.end(), [](const RoofFace &a, const RoofFace &b) { return a.edge < b.edge; });
 	return faces;
+}
+
+std::vector<RoofFace> gable_planes(const RoofOutline &outline, RoofSlope slope, double overhang_eaves, double overhang_gables, bool is_even, bool &is_complete) {
+	std::vector<RoofFace> faces = hip_planes(outline, slope, overhang_eaves, is_complete);
+	open_point_ridge(faces);
+	raise_gables(faces, outline, overhang_gables);
+	if (is_even && !faces.empty()) {
+		level_ridge(faces);
+	}
+	return faces;
+}
+
+// The angle that makes a gable roof as high as it was told: its ridge rises towards the wider end.
+RoofSlope with_angle(const RoofOutline &outline, RoofSlope slope, bool is_even) {
+	if (!slope.is_height) {
+		return slope;
+	}
+	bool is_complete = true;
+	double top = 0.0;
+	for (const RoofFace &face : gable_planes(outline, { 45.0, false }, 0.0, 0.0, is_even, is_complete)) {
+		for (const glm::dvec3 &point : face.outline) {
+			top = std::max(top, point.z);
+		}
+	}
+	return top > 0.0 ? RoofSlope{ glm::degrees(std::atan(slope.value / top)), false } : slope;
 }
 
 struct Inverted {
@@ -258,7 +317,7 @@ Roof roof_hip(const RoofOutline &outline, RoofSlope slope, double overhang, bool
 	Roof roof;
 	roof.faces = hip_planes(outline, slope, overhang, roof.is_complete);
 	if (is_even && !roof.faces.empty()) {
-		level_ridge(roof.faces, roof.faces[0].outline[0].z);
+		level_ridge(roof.faces);
 	}
 	roof.faces.push_back(bottom_of(outline));
 	return roof;
@@ -271,12 +330,7 @@ Roof roof_gable(const RoofOutline &outline, RoofSlope slope, double overhang_eav
 		return roof_along(outline, slope, b - a, overhang_eaves, overhang_gables);
 	}
 	Roof roof;
-	roof.faces = hip_planes(outline, slope, overhang_eaves, roof.is_complete);
-	if (is_even && !roof.faces.empty()) {
-		level_ridge(roof.faces, roof.faces[0].outline[0].z);
-	}
-	open_point_ridge(roof.faces);
-	raise_gables(roof.faces, outline, overhang_gables);
+	roof.faces = gable_planes(outline, with_angle(outline, slope, is_even), overhang_eaves, overhang_gables, is_even, roof.is_complete);
 	roof.faces.push_back(bottom_of(outline));
 	return roof;
 }
