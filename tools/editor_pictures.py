@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Takes pictures of the editor with the addon at work, on a screen in memory (needs xvfb-run).
 
-    editor_pictures.py --engine GODOT [--light] [--scale 100|200] [--size 1600x1000] FOLDER
+    editor_pictures.py --engine GODOT [--light] [--scale 100|200] [--size 1280x800] FOLDER
 """
 
 import argparse
@@ -29,7 +29,7 @@ def main():
     parser.add_argument("--engine", required=True)
     parser.add_argument("--light", action="store_true")
     parser.add_argument("--scale", choices=SCALES, default="100")
-    parser.add_argument("--size", default="1600x1000")
+    parser.add_argument("--size", default="1280x800")
     parser.add_argument("folder", type=Path)
     options = parser.parse_args()
     options.folder.mkdir(parents=True, exist_ok=True)

@@ -53,6 +53,10 @@ func _edit(object: Object) -> void:
 		_authoring.call("edit_rules", object)
 
 
+func _forward_3d_gui_input(camera: Camera3D, event: InputEvent) -> int:
+	return _authoring.call("take_viewport_input", camera, event) if _authoring else AFTER_GUI_INPUT_PASS
+
+
 func _get_unsaved_status(for_scene: String) -> String:
 	return _authoring.call("get_unsaved_status", for_scene) if _authoring else ""
 

@@ -6,6 +6,8 @@ extends Node
 
 const Authoring := preload("res://addons/pcg/editor/authoring.gd")
 
+const PICTURED_LOTS := 20 ## few, because pictures are drawn without a graphics card
+
 var authoring: Authoring
 var folder := ""
 
@@ -13,8 +15,9 @@ var folder := ""
 func run(of: Authoring, into: String) -> void:
 	authoring = of
 	folder = into
-	await _wait(60)
+	await _wait(20)
 	await _take_rules()
+	await _take_city()
 
 
 func _take_rules() -> void:
@@ -23,10 +26,55 @@ func _take_rules() -> void:
 	edit.set_line(2, edit.get_line(2) + "s")
 	edit.call("check")
 	edit.call("go_to", 12, 8)
-	await _wait(30)
+	await _wait(6)
 	await _save("rules")
 	edit.undo()
 	edit.tag_saved_version()
+
+
+func _take_city() -> void:
+	authoring.dock.city_tab.create_city()
+	_show_dock(authoring.dock)
+	await _wait(5)
+	var city: PCGCity = authoring.context.city
+	city.layout.fit_lots(PICTURED_LOTS)
+	authoring.dock.city_tab.generate()
+	while city.is_generating():
+		await get_tree().process_frame
+	await _look_at(city)
+	await _save("city")
+	var pages: TabContainer = authoring.dock.city_tab.get_node("%Pages")
+	pages.current_tab = 1
+	await _wait(5)
+	await _save("city_layout")
+	pages.current_tab = 2
+	authoring.dock.city_tab.show_attributes(city.lot_types[0])
+	await _wait(5)
+	await _save("city_rules")
+
+
+func _show_dock(content: Control) -> void:
+	(content.get_parent() as EditorDock).make_visible()
+
+
+# The key that brings what is selected into view.
+func _look_at(node: Node) -> void:
+	EditorInterface.set_main_screen_editor("3D")
+	EditorInterface.edit_node(node)
+	await _wait(3)
+	var surface: Control = EditorInterface.get_editor_viewport_3d(0).get_parent().get_parent().find_children("*", "Control", true, false)[1]
+	for control: Control in EditorInterface.get_editor_viewport_3d(0).get_parent().get_parent().find_children("*", "Control", true, false):
+		if control.focus_mode == Control.FOCUS_ALL and control.get_class() == "Control":
+			surface = control
+			break
+	surface.grab_focus()
+	for is_pressed: bool in [true, false]:
+		var key := InputEventKey.new()
+		key.keycode = KEY_F
+		key.physical_keycode = KEY_F
+		key.pressed = is_pressed
+		get_tree().root.push_input(key)
+	await _wait(4)
 
 
 func _wait(frames: int) -> void:

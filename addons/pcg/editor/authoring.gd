@@ -3,47 +3,72 @@ extends Node
 ## Everything that the addon puts into the editor. plugin.gd adds this node once the native library is known to be there.
 
 const RulesDock := preload("res://addons/pcg/editor/rules/rules_dock.gd")
+const PCGDock := preload("res://addons/pcg/editor/pcg_dock.gd")
+const SceneContext := preload("res://addons/pcg/editor/scene_context.gd")
+const DOCK_SCENE := preload("res://addons/pcg/editor/pcg_dock.tscn")
 const RULES_SCENE := preload("res://addons/pcg/editor/rules/rules_dock.tscn")
+const GIZMOS: PackedStringArray = ["lot", "entrance", "zone", "object"]
 const LAYOUT_SECTION := "pcg"
 
 var plugin: EditorPlugin
+var context: SceneContext
+var dock: PCGDock
 var rules: RulesDock
+var gizmos: Array[EditorNode3DGizmoPlugin] = []
 var _docks: Array[EditorDock] = []
 
 
 func open(of: EditorPlugin) -> void:
 	plugin = of
 	rules = RULES_SCENE.instantiate()
+	context = SceneContext.new()
+	add_child(context)
+	context.open(plugin)
+	plugin.set_input_event_forwarding_always_enabled()
+	for gizmo: String in GIZMOS:
+		gizmos.append((load("res://addons/pcg/editor/gizmos/%s_gizmo.gd" % gizmo) as GDScript).new(plugin.get_undo_redo()))
+		plugin.add_node_3d_gizmo_plugin(gizmos[-1])
+	dock = DOCK_SCENE.instantiate()
+	rules.count_users = func(path: String) -> int: return context.get_users(path).size()
 	EditorInterface.get_resource_filesystem().filesystem_changed.connect(_take_icons)
+	_add_dock(dock, "PCG", "pcg", "PCGCity", EditorDock.DOCK_SLOT_RIGHT_UL, EditorDock.DOCK_LAYOUT_VERTICAL | EditorDock.DOCK_LAYOUT_FLOATING)
 	_add_dock(rules, "PCG Rules", "pcg_rules", "PCGRuleSet", EditorDock.DOCK_SLOT_BOTTOM, EditorDock.DOCK_LAYOUT_HORIZONTAL | EditorDock.DOCK_LAYOUT_FLOATING)
+	dock.open(context)
+	dock.place_wanted.connect(show_place)
+	rules.rules_checked.connect(dock.take_rule_diagnostics)
+	rules.rules_closed.connect(dock.forget_rule_diagnostics)
+	rules.regeneration_wanted.connect(_on_regeneration_wanted)
 
 
 func _add_dock(content: Control, title: String, key: String, icon: String, slot: EditorDock.DockSlot, layouts: int) -> void:
-	var dock := EditorDock.new()
-	dock.title = title
-	dock.layout_key = key
-	dock.default_slot = slot
-	dock.available_layouts = layouts
-	dock.set_meta(&"icon", icon)
-	dock.add_child(content)
-	plugin.add_dock(dock)
-	_docks.append(dock)
+	var holder := EditorDock.new()
+	holder.title = title
+	holder.layout_key = key
+	holder.default_slot = slot
+	holder.available_layouts = layouts
+	holder.set_meta(&"icon", icon)
+	holder.add_child(content)
+	plugin.add_dock(holder)
+	_docks.append(holder)
 	_take_icons()
 
 
 # When the addon is new, its pictures are imported only after it was switched on.
 func _take_icons() -> void:
-	for dock: EditorDock in _docks:
-		var path: String = "res://addons/pcg/icons/%s.svg" % dock.get_meta(&"icon")
-		if dock.dock_icon == null and ResourceLoader.exists(path):
-			dock.dock_icon = load(path)
+	for holder: EditorDock in _docks:
+		var path: String = "res://addons/pcg/icons/%s.svg" % holder.get_meta(&"icon")
+		if holder.dock_icon == null and ResourceLoader.exists(path):
+			holder.dock_icon = load(path)
 
 
 func close() -> void:
 	EditorInterface.get_resource_filesystem().filesystem_changed.disconnect(_take_icons)
-	for dock: EditorDock in _docks:
-		plugin.remove_dock(dock)
-		dock.queue_free()
+	for gizmo: EditorNode3DGizmoPlugin in gizmos:
+		plugin.remove_node_3d_gizmo_plugin(gizmo)
+	gizmos.clear()
+	for holder: EditorDock in _docks:
+		plugin.remove_dock(holder)
+		holder.queue_free()
 	_docks.clear()
 
 
@@ -51,6 +76,24 @@ func close() -> void:
 func show_place(path: String, line: int, column: int = 1) -> void:
 	if rules.open(path, line, column):
 		(rules.get_parent() as EditorDock).make_visible()
+
+
+# Whoever uses the rules is made anew: cities, else those who live by them.
+func _on_regeneration_wanted(path: String) -> void:
+	for node: Node in context.get_users(path):
+		if node is PCGCity:
+			dock.city_tab.history.generate(node as PCGCity)
+		elif (node as CitizenManager).city and (node as CitizenManager).city.is_generated():
+			(node as CitizenManager).generate_population()
+
+
+## A click in the 3D viewport while somebody picks a person.
+func take_viewport_input(camera: Camera3D, event: InputEvent) -> int:
+	var button: InputEventMouseButton = event as InputEventMouseButton
+	var is_click: bool = button != null and button.pressed and button.button_index == MOUSE_BUTTON_LEFT
+	if is_click and dock.person_tab.is_picking() and dock.person_tab.pick(camera, button.position):
+		return EditorPlugin.AFTER_GUI_INPUT_STOP
+	return EditorPlugin.AFTER_GUI_INPUT_PASS
 
 
 func edit_rules(edited: Object) -> void:

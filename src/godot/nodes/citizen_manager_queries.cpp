@@ -79,6 +79,7 @@ Dictionary CitizenManager::get_person(int p_person) const {
 	result["age"] = int64_t(person.age);
 	result["gender"] = person.gender == Gender::Woman ? "woman" : "man";
 	result["household"] = int64_t(to_number(person.household));
+	result["household_row"] = int64_t(_life->population.household(person.household).pattern);
 	result["home"] = int64_t(to_number(_life->population.home_of(id)));
 	result["walking_speed"] = person.walking_speed;
 	if (is_running()) {

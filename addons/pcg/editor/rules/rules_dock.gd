@@ -5,6 +5,7 @@ extends MarginContainer
 ## Rules were checked; `diagnostics` are those of `path` and of what it imports.
 signal rules_checked(path: String, diagnostics: Array[Dictionary])
 signal rules_saved(path: String)
+signal rules_closed(path: String)
 ## Whoever uses these rules shall be made anew.
 signal regeneration_wanted(path: String)
 
@@ -120,6 +121,7 @@ func close_current() -> void:
 		_save(_current)
 	var index: int = _edits.find(_current)
 	_edits.remove_at(index)
+	rules_closed.emit(_current.path)
 	_current.queue_free()
 	_show(_edits[mini(index, _edits.size() - 1)] if not _edits.is_empty() else null)
 

@@ -1,0 +1,249 @@
+@tool
+extends VBoxContainer
+## Layout, land use, rules and seed of a city; generates it, and tells what came of it.
+
+const SceneContext := preload("res://addons/pcg/editor/scene_context.gd")
+const CityHistory := preload("res://addons/pcg/editor/city/city_history.gd")
+const CityStarter := preload("res://addons/pcg/editor/city/city_starter.gd")
+const RuleAttributes := preload("res://addons/pcg/editor/city/rule_attributes.gd")
+const HIGHEST_SEED := 999_999
+
+var context: SceneContext
+var history: CityHistory
+var _layout_inspector := EditorInspector.new()
+var _attribute_inspector := EditorInspector.new()
+var _attributes: RuleAttributes
+var _shown_city: PCGCity
+
+@onready var _seed: SpinBox = %Seed
+@onready var _types: Tree = %Types
+@onready var _cities: OptionButton = %Cities
+
+
+func open(of: SceneContext) -> void:
+	context = of
+	history = CityHistory.new(context)
+	context.changed.connect(refresh)
+	refresh()
+
+
+func _ready() -> void:
+	(%Create as Button).pressed.connect(create_city)
+	(%Generate as Button).pressed.connect(generate)
+	(%Selected as Button).pressed.connect(generate_selected)
+	(%Clear as Button).pressed.connect(func() -> void: history.clear(context.city))
+	(%Cancel as Button).pressed.connect(func() -> void: context.city.cancel())
+	(%Dice as Button).pressed.connect(throw_dice)
+	_seed.value_changed.connect(_on_seed_changed)
+	_cities.item_selected.connect(func(index: int) -> void: context.show_city(context.get_cities()[index]))
+	_types.item_selected.connect(func() -> void: show_attributes(_types.get_selected().get_metadata(0)))
+	_types.item_edited.connect(_on_weight_edited)
+	_types.item_activated.connect(_on_type_activated)
+	_add_inspector(%Layout, _layout_inspector)
+	_add_inspector(%Attributes, _attribute_inspector)
+	for column: int in 3:
+		_types.set_column_title(column, ["Lots", "Weight", "Rules"][column])
+		_types.set_column_title_alignment(column, HORIZONTAL_ALIGNMENT_LEFT)
+		_types.set_column_clip_content(column, true)
+	_take_theme()
+
+
+static func _add_inspector(holder: Control, inspector: EditorInspector) -> void:
+	inspector.size_flags_vertical = SIZE_EXPAND_FILL
+	inspector.horizontal_scroll_mode = ScrollContainer.SCROLL_MODE_DISABLED
+	holder.add_child(inspector)
+
+
+func _notification(what: int) -> void:
+	if what == NOTIFICATION_THEME_CHANGED and is_node_ready():
+		_take_theme()
+
+
+func _take_theme() -> void:
+	var figures: Tree = %Statistics
+	figures.set_column_expand(1, false)
+	figures.set_column_custom_minimum_width(1, roundi(70.0 * EditorInterface.get_editor_scale()))
+	(%Dice as Button).icon = get_theme_icon("RandomNumberGenerator", "EditorIcons")
+	(%Generate as Button).icon = get_theme_icon("Reload", "EditorIcons")
+	(%Clear as Button).icon = get_theme_icon("Clear", "EditorIcons")
+
+
+## Shows the context's city as it is now.
+func refresh() -> void:
+	_follow(context.city)
+	var city: PCGCity = context.city
+	(%Empty as Control).visible = city == null
+	(%Content as Control).visible = city != null
+	_attribute_inspector.edit(null)
+	_layout_inspector.edit(city.layout if city else null)
+	if city == null:
+		return
+	_cities.clear()
+	for other: PCGCity in context.get_cities():
+		_cities.add_item(other.name)
+		if other == city:
+			_cities.select(_cities.item_count - 1)
+	_cities.visible = _cities.item_count > 1
+	_seed.set_value_no_signal(city.seed)
+	_fill_types()
+	show_attributes(null)
+	show_statistics()
+	_show_progress(city.is_generating())
+
+
+func _follow(city: PCGCity) -> void:
+	if is_instance_valid(_shown_city) and _shown_city != city:
+		_shown_city.generation_progressed.disconnect(_on_progress)
+		_shown_city.city_generated.disconnect(_on_generated)
+		_shown_city.city_cleared.disconnect(show_statistics)
+	if city and city != _shown_city:
+		city.generation_progressed.connect(_on_progress)
+		city.city_generated.connect(_on_generated)
+		city.city_cleared.connect(show_statistics)
+	_shown_city = city
+
+
+## Adds a city with the shipped rules and people to the scene; makes a scene where there is none.
+func create_city() -> void:
+	CityStarter.add_to_scene(context.get_undo())
+
+
+func generate() -> void:
+	if context.city.is_generating():
+		return
+	history.generate(context.city)
+
+
+## A new seed and the city that comes of it, in one step to undo.
+func throw_dice() -> void:
+	if not context.city.is_generating():
+		history.generate(context.city, randi_range(0, HIGHEST_SEED))
+
+
+## The lots that are selected in the scene, or that something selected belongs to.
+func get_selected_lots() -> Array[int]:
+	var lots: Array[int] = []
+	for node: Node in EditorInterface.get_selection().get_selected_nodes():
+		var at: Node = node
+		while at and not at is PCGLot:
+			at = at.get_parent()
+		if at and not lots.has((at as PCGLot).lot_id):
+			lots.append((at as PCGLot).lot_id)
+	return lots
+
+
+func generate_selected() -> void:
+	var lots: Array[int] = get_selected_lots()
+	if lots.is_empty():
+		EditorInterface.get_editor_toaster().push_toast("PCG: select lots in the scene first.")
+		return
+	for lot: int in lots:
+		context.city.call(&"regenerate_lot", lot)
+	show_statistics()
+
+
+func _on_seed_changed(value: float) -> void:
+	var undo: EditorUndoRedoManager = context.get_undo()
+	undo.create_action("Set the city's seed", UndoRedo.MERGE_ENDS, context.city)
+	undo.add_do_property(context.city, &"seed", int(value))
+	undo.add_undo_property(context.city, &"seed", context.city.seed)
+	undo.add_do_method(self, &"refresh")
+	undo.add_undo_method(self, &"refresh")
+	undo.commit_action()
+
+
+func _fill_types() -> void:
+	_types.clear()
+	var root: TreeItem = _types.create_item()
+	for type: PCGLotType in context.city.lot_types:
+		if type == null:
+			continue
+		var item: TreeItem = _types.create_item(root)
+		item.set_text(0, type.type)
+		item.set_metadata(0, type)
+		item.set_cell_mode(1, TreeItem.CELL_MODE_RANGE)
+		item.set_range_config(1, 0.0, 1000.0, 0.1)
+		item.set_range(1, type.weight)
+		item.set_editable(1, true)
+		item.set_text(2, type.rules.get_file().get_file() if type.rules else "none")
+		item.set_tooltip_text(2, "%s\nDouble-click to edit." % type.rules.get_file() if type.rules else "Give this type rules in the inspector.")
+		if type.rules and type.rules.has_errors():
+			item.set_icon(2, get_theme_icon("StatusError", "EditorIcons"))
+
+
+func _on_weight_edited() -> void:
+	var item: TreeItem = _types.get_edited()
+	var type: PCGLotType = item.get_metadata(0)
+	var undo: EditorUndoRedoManager = context.get_undo()
+	undo.create_action("Set the weight of %s" % type.type, UndoRedo.MERGE_ENDS, context.city)
+	undo.add_do_property(type, &"weight", item.get_range(1))
+	undo.add_undo_property(type, &"weight", type.weight)
+	undo.add_undo_method(self, &"refresh")
+	undo.commit_action()
+
+
+func _on_type_activated() -> void:
+	var type: PCGLotType = _types.get_selected().get_metadata(0)
+	if type.rules:
+		EditorInterface.edit_resource(type.rules)
+
+
+## Shows the attributes of a lot type's rules; null shows none.
+func show_attributes(type: PCGLotType) -> void:
+	_attributes = RuleAttributes.new(type)
+	_attribute_inspector.visible = not _attributes.is_empty()
+	(%AttributesText as Label).visible = _attributes.is_empty()
+	(%AttributesText as Label).text = "Choose a type of lot to see the attributes of its rules." if type == null else "These rules have no attributes."
+	_attribute_inspector.edit(null if _attributes.is_empty() else _attributes)
+
+
+func get_attributes() -> RuleAttributes:
+	return _attributes
+
+
+func show_statistics() -> void:
+	var tree: Tree = %Statistics
+	tree.clear()
+	var root: TreeItem = tree.create_item()
+	var figures: Dictionary = context.city.get_statistics() if context.city else {}
+	if figures.is_empty():
+		tree.create_item(root).set_text(0, "Nothing is generated yet.")
+	for figure: String in figures:
+		_add_figure(tree, root, figure, figures[figure])
+	if not figures.is_empty():
+		_add_figure(tree, root, "unreachable entrances", _count_unreachable())
+
+
+func _add_figure(tree: Tree, parent: TreeItem, figure: String, value: Variant) -> void:
+	var item: TreeItem = tree.create_item(parent)
+	item.set_text(0, figure.capitalize() if parent == tree.get_root() else figure)
+	if value is Dictionary:
+		var values: Dictionary = value
+		for key: String in values:
+			_add_figure(tree, item, key, values[key])
+	else:
+		item.set_text(1, "%.2f" % value if value is float else str(value))
+		item.set_text_alignment(1, HORIZONTAL_ALIGNMENT_RIGHT)
+
+
+func _count_unreachable() -> int:
+	return context.city.find_children("*", "PCGEntrance", true, false).reduce(
+			func(sum: int, entrance: PCGEntrance) -> int: return sum + int(not entrance.is_reachable()), 0)
+
+
+func _show_progress(is_generating: bool) -> void:
+	(%Progress as Control).visible = is_generating
+	for button: Button in [%Generate, %Dice, %Clear]:
+		button.disabled = is_generating
+	(%Selected as Button).disabled = is_generating or not context.city.is_generated() or not context.city.has_method(&"regenerate_lot")
+
+
+func _on_progress(stage: String, fraction: float) -> void:
+	_show_progress(true)
+	(%Bar as ProgressBar).value = fraction
+	(%Stage as Label).text = stage
+
+
+func _on_generated(_success: bool) -> void:
+	_show_progress(false)
+	show_statistics()

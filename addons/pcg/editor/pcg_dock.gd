@@ -1,0 +1,62 @@
+@tool
+extends TabContainer
+## The dock: a page each for the city, its people, their days, one person, and all problems.
+
+const SceneContext := preload("res://addons/pcg/editor/scene_context.gd")
+const CityTab := preload("res://addons/pcg/editor/city/city_tab.gd")
+const PopulationTab := preload("res://addons/pcg/editor/people/population_tab.gd")
+const SimulationTab := preload("res://addons/pcg/editor/simulation/simulation_tab.gd")
+const PersonTab := preload("res://addons/pcg/editor/person/person_tab.gd")
+const ProblemList := preload("res://addons/pcg/editor/problems/problem_list.gd")
+const ProblemCollector := preload("res://addons/pcg/editor/problems/problem_collector.gd")
+
+## A message or an agenda entry is about a place in a file.
+signal place_wanted(path: String, line: int, column: int)
+
+var context: SceneContext
+var _collector: ProblemCollector
+
+@onready var city_tab: CityTab = %City
+@onready var population_tab: PopulationTab = %Population
+@onready var simulation_tab: SimulationTab = %Simulation
+@onready var person_tab: PersonTab = %Person
+@onready var problems: ProblemList = %Problems
+
+
+func open(of: SceneContext) -> void:
+	context = of
+	custom_minimum_size.x = 260.0 * EditorInterface.get_editor_scale()
+	city_tab.open(context)
+	population_tab.open(context)
+	simulation_tab.open(context)
+	person_tab.open(context)
+	person_tab.place_wanted.connect(place_wanted.emit)
+	_collector = ProblemCollector.new(context)
+	_collector.problems_changed.connect(_on_problems_changed)
+	problems.problem_activated.connect(_on_problem_activated)
+	_collector.collect()
+
+
+func take_rule_diagnostics(path: String, diagnostics: Array[Dictionary]) -> void:
+	_collector.take_file(path, diagnostics)
+
+
+func forget_rule_diagnostics(path: String) -> void:
+	_collector.forget_file(path)
+
+
+func _on_problems_changed(diagnostics: Array[Dictionary]) -> void:
+	problems.show_diagnostics(diagnostics)
+	var index: int = get_tab_idx_from_control(problems)
+	set_tab_title(index, "Problems" if diagnostics.is_empty() else "Problems (%d)" % diagnostics.size())
+
+
+func _on_problem_activated(diagnostic: Dictionary) -> void:
+	if not str(diagnostic["file"]).is_empty():
+		place_wanted.emit(diagnostic["file"], maxi(int(diagnostic["line"]), 1), maxi(int(diagnostic["column"]), 1))
+		return
+	var node: Node = diagnostic.get("node")
+	if node and node.is_inside_tree():
+		EditorInterface.get_selection().clear()
+		EditorInterface.get_selection().add_node(node)
+		EditorInterface.edit_node(node)

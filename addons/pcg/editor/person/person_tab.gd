@@ -1,0 +1,219 @@
+@tool
+extends VBoxContainer
+## One person: who, where, the week as a timeline, and for each entry the rule that wrote it.
+
+## The place in a rule file that an entry comes from.
+signal place_wanted(path: String, line: int, column: int)
+
+const SceneContext := preload("res://addons/pcg/editor/scene_context.gd")
+const WeekTimeline := preload("res://addons/pcg/editor/person/week_timeline.gd")
+const TaskColors := preload("res://addons/pcg/editor/person/task_colors.gd")
+const PathOverlay := preload("res://addons/pcg/editor/person/path_overlay.gd")
+const LifeRecorder := preload("res://addons/pcg/editor/person/life_recorder.gd")
+const PICK_DISTANCE := 24.0 ## pixels at 100 %
+const PERSON_MIDDLE := Vector3(0.0, 0.9, 0.0) ## metres above where somebody stands
+
+var context: SceneContext
+var overlay := PathOverlay.new()
+var recorder := LifeRecorder.new()
+var _entries: Array[Dictionary] = []
+
+@onready var _list: Tree = %Entries
+@onready var _week: WeekTimeline = %Week
+@onready var _household: OptionButton = %Household
+
+
+func open(of: SceneContext) -> void:
+	context = of
+	context.changed.connect(refresh)
+	context.person_chosen.connect(func(_person: int) -> void: refresh())
+	refresh()
+
+
+func _ready() -> void:
+	for column: int in 4:
+		_list.set_column_title(column, ["Time", "What", "Where", "Why"][column])
+		_list.set_column_title_alignment(column, HORIZONTAL_ALIGNMENT_LEFT)
+		_list.set_column_clip_content(column, true)
+	_list.item_selected.connect(func() -> void: _week.select(_list.get_selected().get_metadata(0)))
+	_list.item_activated.connect(func() -> void: open_rule(_list.get_selected().get_metadata(0)))
+	_week.entry_clicked.connect(_on_entry_clicked)
+	_household.item_selected.connect(func(index: int) -> void: context.choose_person(_household.get_item_id(index)))
+	(%Ways as CheckBox).toggled.connect(func(_is_on: bool) -> void: show_ways())
+	_take_theme()
+
+
+func _notification(what: int) -> void:
+	if what == NOTIFICATION_THEME_CHANGED and is_node_ready():
+		_take_theme()
+
+
+func _take_theme() -> void:
+	(%Pick as Button).icon = get_theme_icon("ToolSelect", "EditorIcons")
+	_week.custom_minimum_size = Vector2(180.0, 150.0) * EditorInterface.get_editor_scale()
+
+
+func _exit_tree() -> void:
+	overlay.hide()
+
+
+func _process(_delta: float) -> void:
+	recorder.note()
+	if is_visible_in_tree() and _has_person():
+		_tell_present()
+
+
+func _has_person() -> bool:
+	return context != null and context.citizens != null and context.person >= 0 and context.person < int(context.citizens.get_statistics()["persons"])
+
+
+func refresh() -> void:
+	(%Empty as Control).visible = not _has_person()
+	(%Content as Control).visible = _has_person()
+	_household.visible = _has_person()
+	overlay.hide()
+	_list.clear()
+	_entries = []
+	recorder.follow(context.citizens if _has_person() else null, context.person if _has_person() else -1)
+	if not _has_person():
+		return
+	_fill_household()
+	_fill_entries()
+	_tell_present()
+	show_ways()
+
+
+func _fill_household() -> void:
+	_household.clear()
+	var household: int = context.citizens.get_person(context.person)["household"]
+	# Members stand one behind the other.
+	var member: int = context.person
+	while member > 0 and context.citizens.get_person(member - 1)["household"] == household:
+		member -= 1
+	while member < int(context.citizens.get_statistics()["persons"]) and context.citizens.get_person(member)["household"] == household:
+		var told: Dictionary = context.citizens.get_person(member)
+		_household.add_item("%s, %d" % [told["name"], told["age"]], member)
+		if member == context.person:
+			_household.select(_household.item_count - 1)
+		member += 1
+
+
+func _fill_entries() -> void:
+	_entries = context.citizens.get_agenda(context.person)
+	var root: TreeItem = _list.create_item()
+	for index: int in _entries.size():
+		var entry: Dictionary = _entries[index]
+		entry["told"] = "%s %s\n%s, %s\n%s:%d" % [TaskColors.TITLES.get(entry["kind"], entry["kind"]), get_target_text(entry), get_time_text(entry),
+				get_days_text(entry), entry.get("file", ""), entry.get("line", 0)]
+		var item: TreeItem = _list.create_item(root)
+		item.set_text(0, "%s  %s" % [get_time_text(entry), get_days_text(entry)])
+		item.set_text(1, TaskColors.TITLES.get(entry["kind"], entry["kind"]))
+		item.set_custom_color(1, TaskColors.of(entry["kind"]))
+		item.set_text(2, get_target_text(entry))
+		item.set_text(3, "%s %s:%d" % [entry.get("rule", ""), str(entry.get("file", "")).get_file(), entry.get("line", 0)])
+		for column: int in 4:
+			item.set_tooltip_text(column, "%s\nDouble-click to open the rule." % entry["told"])
+		item.set_metadata(0, index)
+	_week.show_week(_entries)
+
+
+func get_target_text(entry: Dictionary) -> String:
+	if int(entry["target"]) < 0 or entry["kind"] not in ["stayInside", "goToBuilding"]:
+		return ""
+	var home: int = context.citizens.get_person(context.person)["home"]
+	return "home" if entry["target"] == home else context.get_building_text(entry["target"])
+
+
+static func get_time_text(entry: Dictionary) -> String:
+	return "%s-%s" % [_clock(entry["start"]), _clock(entry["end"])]
+
+
+static func _clock(seconds: float) -> String:
+	var minutes: int = floori(seconds / 60.0)
+	return "%02d:%02d" % [minutes / 60 if minutes == 1440 else (minutes / 60) % 24, minutes % 60]
+
+
+static func get_days_text(entry: Dictionary) -> String:
+	var days: PackedStringArray = entry["days"]
+	if days.size() == 7:
+		return "daily"
+	return "mon-fri" if days == PackedStringArray(["mon", "tue", "wed", "thu", "fri"]) else " ".join(days)
+
+
+func get_entries() -> Array[Dictionary]:
+	return _entries
+
+
+func open_rule(index: int) -> void:
+	var entry: Dictionary = _entries[index]
+	if not str(entry.get("file", "")).is_empty():
+		place_wanted.emit(entry["file"], entry["line"], 1)
+
+
+func _on_entry_clicked(index: int, is_double: bool) -> void:
+	_list.get_root().get_child(index).select(0)
+	_list.scroll_to_item(_list.get_root().get_child(index))
+	if is_double:
+		open_rule(index)
+
+
+func _tell_present() -> void:
+	var told: Dictionary = context.citizens.get_person(context.person)
+	var present: String = str(told.get("state", "the simulation is stopped"))
+	var place: Dictionary = told.get("place", {})
+	if place.get("kind", "") == "building":
+		present += " %s %s" % ["to" if told["state"] == "walking" else "in", "home" if place["id"] == told["home"] else context.get_building_text(place["id"])]
+	elif not str(place.get("kind", "")).is_empty():
+		present += " %s %s %d" % ["to" if told["state"] == "walking" else "at", place["kind"], place["id"]]
+	(%Told as Label).text = "%s, a %s of %d, household %d in %s\n%s, walks %.2f m/s\nNow: %s" % [told["name"], told["gender"], told["age"],
+			told["household"], context.get_building_text(told["home"]), _household_type(told), told["walking_speed"], present]
+	_week.show_lived(recorder.spans, context.citizens.day * WeekTimeline.DAY + context.citizens.time if context.citizens.is_running() else -1.0)
+
+
+func _household_type(told: Dictionary) -> String:
+	var rows: Array[Dictionary] = context.citizens.household_table.get_households() if context.citizens.household_table else ([] as Array[Dictionary])
+	return rows[told["household_row"]]["descriptor"] if int(told["household_row"]) < rows.size() else ""
+
+
+## The ways between the buildings of the day that the clock shows: dictionaries with `points` and `hour`.
+func find_ways() -> Array[Dictionary]:
+	var ways: Array[Dictionary] = []
+	var today: String = WeekTimeline.DAYS[posmod(context.citizens.day, 7)]
+	var here: int = context.citizens.get_person(context.person)["home"]
+	for entry: Dictionary in _entries:
+		if today not in entry["days"] or entry["kind"] not in ["stayInside", "goToBuilding"] or entry["target"] == here:
+			continue
+		var from: Dictionary = context.get_building(here)
+		var to: Dictionary = context.get_building(entry["target"])
+		if not from.is_empty() and not to.is_empty():
+			ways.append({"points": context.city.find_path(from["position"], to["position"]), "hour": float(entry["start"]) / 3600.0})
+		here = entry["target"]
+	return ways
+
+
+func show_ways() -> void:
+	overlay.hide()
+	if (%Ways as CheckBox).button_pressed and _has_person() and context.city and context.city.is_generated():
+		overlay.show_ways(context.city, find_ways())
+
+
+func is_picking() -> bool:
+	return (%Pick as Button).button_pressed
+
+
+## Chooses whoever stands nearest to that point of the 3D viewport. False if nobody is near.
+func pick(camera: Camera3D, at: Vector2) -> bool:
+	if context.citizens == null:
+		return false
+	var nearest := -1
+	var distance: float = PICK_DISTANCE * EditorInterface.get_editor_scale()
+	for person: int in context.citizens.get_persons_outside():
+		var middle: Vector3 = (context.citizens.get_person(person)["position"] as Vector3) + PERSON_MIDDLE
+		var away: float = camera.unproject_position(middle).distance_to(at)
+		if not camera.is_position_behind(middle) and away < distance:
+			nearest = person
+			distance = away
+	if nearest >= 0:
+		(%Pick as Button).button_pressed = false
+		context.choose_person(nearest)
+	return nearest >= 0

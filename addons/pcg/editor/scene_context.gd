@@ -1,0 +1,151 @@
+@tool
+extends Node
+## What the docks are about: the city and the citizens of the edited scene, and the person that somebody looks at.
+
+## The city, the citizens or the scene are others than before.
+signal changed
+signal person_chosen(person: int)
+
+var plugin: EditorPlugin
+var city: PCGCity:
+	get:
+		return instance_from_id(_city_id) as PCGCity if is_instance_id_valid(_city_id) else null
+var citizens: CitizenManager:
+	get:
+		return instance_from_id(_citizens_id) as CitizenManager if is_instance_id_valid(_citizens_id) else null
+var person := -1
+var _buildings: Dictionary[int, Dictionary] = {}
+var _buildings_of := 0 # instance id of the city that they stand in
+var _city_id := 0
+var _citizens_id := 0
+
+
+func open(of: EditorPlugin) -> void:
+	plugin = of
+	plugin.scene_changed.connect(_on_scene_changed)
+	EditorInterface.get_selection().selection_changed.connect(refresh)
+	get_tree().node_added.connect(_on_node_changed)
+	get_tree().node_removed.connect(_on_node_changed)
+
+
+func get_undo() -> EditorUndoRedoManager:
+	return plugin.get_undo_redo()
+
+
+## The person whose week is shown; -1: nobody.
+func choose_person(chosen: int) -> void:
+	person = chosen
+	person_chosen.emit(person)
+
+
+func get_cities() -> Array[PCGCity]:
+	var found: Array[PCGCity] = []
+	for node: Node in _find_all("PCGCity"):
+		found.append(node)
+	return found
+
+
+## A building by its number: `type` and `position` of its first entrance; empty if it has none.
+func get_building(id: int) -> Dictionary:
+	if _buildings_of != _city_id or not _buildings.has(id):
+		_read_buildings()
+	return _buildings.get(id, {})
+
+
+## What people call a building.
+func get_building_text(id: int) -> String:
+	var building: Dictionary = get_building(id)
+	return "%s %d" % [building["type"], id] if not building.is_empty() else "building %d" % id
+
+
+func _read_buildings() -> void:
+	_buildings.clear()
+	_buildings_of = _city_id
+	for entrance: PCGEntrance in city.find_children("*", "PCGEntrance", true, false) if city else ([] as Array[Node]):
+		if not _buildings.has(entrance.building_id):
+			_buildings[entrance.building_id] = {"type": entrance.type, "position": entrance.global_position}
+
+
+func show_city(shown: PCGCity) -> void:
+	_city_id = shown.get_instance_id() if shown else 0
+	refresh()
+
+
+## Looks again for what the docks show: what is selected, else what was shown, else the first in the scene.
+func refresh() -> void:
+	var new_city: PCGCity = _pick("PCGCity", city) as PCGCity
+	var new_citizens: CitizenManager = _pick("CitizenManager", citizens) as CitizenManager
+	if EditorInterface.get_selection().get_selected_nodes().any(func(node: Node) -> bool: return node is CitizenManager) and new_citizens.city:
+		new_city = new_citizens.city
+	elif new_citizens and new_citizens.city != new_city:
+		for other: CitizenManager in _find_all("CitizenManager"):
+			if other.city == new_city:
+				new_citizens = other
+	var is_new: bool = new_city != city or new_citizens != citizens
+	_city_id = new_city.get_instance_id() if new_city else 0
+	_citizens_id = new_citizens.get_instance_id() if new_citizens else 0
+	if is_new:
+		person = -1
+		changed.emit()
+
+
+func _pick(kind: String, shown: Node) -> Node:
+	var root: Node = EditorInterface.get_edited_scene_root()
+	if root == null:
+		return null
+	for selected: Node in EditorInterface.get_selection().get_selected_nodes():
+		for node: Node in _self_and_parents(selected, root):
+			if node.is_class(kind):
+				return node
+	if shown and shown.is_inside_tree() and (shown == root or root.is_ancestor_of(shown)):
+		return shown
+	var found: Array[Node] = _find_all(kind)
+	return found[0] if not found.is_empty() else null
+
+
+static func _self_and_parents(node: Node, root: Node) -> Array[Node]:
+	var chain: Array[Node] = []
+	while node and node != root.get_parent():
+		chain.append(node)
+		node = node.get_parent()
+	return chain
+
+
+func _find_all(kind: String) -> Array[Node]:
+	var root: Node = EditorInterface.get_edited_scene_root()
+	var found: Array[Node] = []
+	if root:
+		if root.is_class(kind):
+			found.append(root)
+		found.append_array(root.find_children("*", kind, true, false))
+	return found
+
+
+func _on_scene_changed(_root: Node) -> void:
+	_city_id = 0
+	_citizens_id = 0
+	refresh()
+	changed.emit()
+
+
+func _on_node_changed(node: Node) -> void:
+	if node is PCGCity or node is CitizenManager:
+		refresh.call_deferred()
+
+
+## Nodes of the scene that use a rule file, directly or by import.
+func get_users(path: String) -> Array[Node]:
+	var users: Array[Node] = []
+	for node: Node in _find_all("PCGCity"):
+		if (node as PCGCity).lot_types.any(func(type: PCGLotType) -> bool: return type != null and _uses(type.rules, path)):
+			users.append(node)
+	for node: Node in _find_all("CitizenManager"):
+		if _uses((node as CitizenManager).rules, path):
+			users.append(node)
+	return users
+
+
+static func _uses(rules: PCGRuleSet, path: String) -> bool:
+	if rules == null:
+		return false
+	return rules.get_file() == path or rules.get_definitions().any(func(entry: Dictionary) -> bool: return entry["file"] == path)

@@ -1,0 +1,126 @@
+@tool
+extends "res://tests/editor/editor_suite.gd"
+## The dock's page for a city: added to an empty project, generated, undone, done again.
+
+const CityForTests := preload("res://tests/godot/city_for_tests.gd")
+const CityTab := preload("res://addons/pcg/editor/city/city_tab.gd")
+const RuleAttributes := preload("res://addons/pcg/editor/city/rule_attributes.gd")
+
+var _tab: CityTab
+var _root: Node3D
+
+
+func before_each() -> void:
+	_tab = get_authoring().dock.city_tab
+	EditorInterface.close_scene()
+	_root = Node3D.new()
+	_root.name = "World"
+	EditorInterface.add_root_node(_root)
+	await frames(2)
+
+
+func after_each() -> void:
+	EditorInterface.close_scene()
+	await frames(2)
+
+
+func _add_small_city() -> PCGCity:
+	var city: PCGCity = CityForTests.make_city(12)
+	_root.add_child(city)
+	city.owner = _root
+	await frames(2)
+	return city
+
+
+func _generated(city: PCGCity) -> void:
+	while city.is_generating():
+		await get_tree().process_frame
+	await frames(2)
+
+
+func test_a_city_with_people_is_one_click_and_one_undo() -> void:
+	check((_tab.get_node("%Empty") as Control).visible, "without a city there is one button")
+	_tab.create_city()
+	await frames(3)
+	check(_tab.context.city != null, "the dock shows the city")
+	check(_tab.context.city.lot_types.size() >= 6 and _tab.context.citizens.rules != null, "with the shipped rules")
+	check_equal(_tab.context.citizens.city, _tab.context.city, "people live in it")
+	check(_tab.context.citizens.household_table.get_households().size() > 3, "and come from a table")
+	await undo(_root)
+	check(_tab.context.city == null and _root.get_child_count() == 0, "gone")
+	await redo(_root)
+	check(_tab.context.city != null, "and back")
+
+
+func test_generating_is_one_step_to_undo() -> void:
+	var city: PCGCity = await _add_small_city()
+	_tab.generate()
+	await _generated(city)
+	check(city.is_generated(), "it is there")
+	check_equal((_tab.get_node("%Progress") as Control).visible, false, "and the progress gone")
+	var faces: int = city.get_statistics()["faces"]
+	await undo(city)
+	check(not city.is_generated(), "undone: it is gone")
+	await redo(city)
+	await _generated(city)
+	check_equal(city.get_statistics()["faces"], faces, "done again: the same city")
+
+
+func test_the_dice_change_the_city_and_undo_brings_the_old_one_back() -> void:
+	var city: PCGCity = await _add_small_city()
+	_tab.generate()
+	await _generated(city)
+	var seed_before: int = city.seed
+	_tab.throw_dice()
+	await _generated(city)
+	check(city.seed != seed_before, "another seed")
+	await undo(city)
+	await _generated(city)
+	check_equal(city.seed, seed_before, "the old seed")
+	check(city.is_generated(), "and its city")
+
+
+func test_cancelling_leaves_nothing_running() -> void:
+	var city: PCGCity = await _add_small_city()
+	_tab.generate()
+	await frames(1)
+	(_tab.get_node("%Cancel") as Button).pressed.emit()
+	await _generated(city)
+	check(not city.is_generating(), "cancelled")
+	check(not (_tab.get_node("%Generate") as Button).disabled, "and ready to begin again")
+
+
+func test_attributes_are_controls_by_their_annotations() -> void:
+	var type := PCGLotType.new()
+	type.rules = load("res://rules/cga/house.cga")
+	var attributes := RuleAttributes.new(type)
+	var by_name: Dictionary = {}
+	for property: Dictionary in attributes.get_property_list():
+		by_name[property["name"]] = property
+	check(str(by_name["floorHeight"]["hint_string"]).begins_with("2.5,3.5"), "a range: %s" % [by_name["floorHeight"]])
+	check_equal(by_name["roofType"]["hint_string"], "gable,hip", "a list")
+	check_equal(by_name["wallColor"]["type"], TYPE_COLOR, "a colour")
+	check_equal(by_name["hasDormers"]["type"], TYPE_BOOL, "a truth value")
+	check_equal(by_name["Colours"]["usage"], PROPERTY_USAGE_GROUP, "a group")
+	check(not by_name.has("plinthColor"), "names without attr are the rules' own")
+	attributes.set("wallColor", Color("#ff0000"))
+	check_equal(type.attributes, {"wallColor": "#ff0000"}, "as the rules want it")
+	attributes.set("floorHeight", 0.0)
+	check_equal(type.attributes["floorHeight"], 2.8, "ticking begins with the rules' own value")
+	attributes.set("wallColor", null)
+	check(not type.attributes.has("wallColor"), "unticking leaves it to the rules")
+
+
+func test_problems_of_the_scene_are_listed_and_lead_to_their_place() -> void:
+	var city: PCGCity = await _add_small_city()
+	write("res://typed/wrong.cga", "@StartRule\nLot -->\n\textrud(3)\n")
+	var types: Array[PCGLotType] = city.lot_types
+	types[0].rules = load("res://typed/wrong.cga")
+	_tab.context.changed.emit()
+	await frames(2)
+	var shown: Array[Dictionary] = get_authoring().dock.problems.get_shown()
+	check(shown.size() > 0 and str(shown[0]["file"]).ends_with("wrong.cga"), "the rules' message: %s" % [shown])
+	get_authoring().dock.problems.problem_activated.emit(shown[0])
+	await frames(2)
+	check_equal(get_authoring().rules.get_current().get_caret_line(), 2, "its line")
+	get_authoring().rules.close_current()
