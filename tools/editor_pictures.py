@@ -33,7 +33,7 @@ def main():
     parser.add_argument("folder", type=Path)
     options = parser.parse_args()
     options.folder.mkdir(parents=True, exist_ok=True)
-    project = make_project()
+    project = make_project("picture_project")
     home = ROOT / "build/picture_home"
     settings = home / "godot/editor_settings-4.6.tres"
     settings.parent.mkdir(parents=True, exist_ok=True)

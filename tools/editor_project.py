@@ -1,12 +1,11 @@
 #!/usr/bin/env python3
-"""Makes build/editor_project anew: a project with a copy of the addon and its rules, as somebody has who installed it, and a second plugin that
+"""Makes a project below build/ anew: a project with a copy of the addon and its rules, as somebody has who installed it, and a second plugin that
 runs tests/editor. Tests may change its files; the checkout stays as it is."""
 
 import shutil
 
 from deps import ROOT
 
-PROJECT = ROOT / "build/editor_project"
 SETTINGS = """config_version=5
 
 [application]
@@ -26,18 +25,19 @@ enabled=PackedStringArray("res://addons/pcg/plugin.cfg", "res://tests/editor/plu
 COPIED = ("rules", "tests/editor", "tests/godot/suite.gd", "tests/godot/runner.gd", "tests/godot/city_for_tests.gd")
 
 
-def make_project():
+def make_project(name="editor_project"):
     """Returns its path. The built library is linked, not copied."""
-    shutil.rmtree(PROJECT, ignore_errors=True)
-    shutil.copytree(ROOT / "addons/pcg", PROJECT / "addons/pcg", ignore=shutil.ignore_patterns("bin"))
-    (PROJECT / "addons/pcg/bin").symlink_to(ROOT / "addons/pcg/bin")
-    for name in COPIED:
-        (PROJECT / name).parent.mkdir(parents=True, exist_ok=True)
-        (shutil.copytree if (ROOT / name).is_dir() else shutil.copy)(ROOT / name, PROJECT / name)
-    (PROJECT / "project.godot").write_text(SETTINGS)
-    (PROJECT / ".godot").mkdir()
-    (PROJECT / ".godot/extension_list.cfg").write_text("res://addons/pcg/pcg.gdextension\n")
-    return PROJECT
+    project = ROOT / "build" / name
+    shutil.rmtree(project, ignore_errors=True)
+    shutil.copytree(ROOT / "addons/pcg", project / "addons/pcg", ignore=shutil.ignore_patterns("bin"))
+    (project / "addons/pcg/bin").symlink_to(ROOT / "addons/pcg/bin")
+    for copied in COPIED:
+        (project / copied).parent.mkdir(parents=True, exist_ok=True)
+        (shutil.copytree if (ROOT / copied).is_dir() else shutil.copy)(ROOT / copied, project / copied)
+    (project / "project.godot").write_text(SETTINGS)
+    (project / ".godot").mkdir()
+    (project / ".godot/extension_list.cfg").write_text("res://addons/pcg/pcg.gdextension\n")
+    return project
 
 
 if __name__ == "__main__":

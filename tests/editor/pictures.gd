@@ -6,6 +6,7 @@ extends Node
 
 const Authoring := preload("res://addons/pcg/editor/authoring.gd")
 
+const PICTURED_PERSONS := 60
 const PICTURED_LOTS := 20 ## few, because pictures are drawn without a graphics card
 
 var authoring: Authoring
@@ -18,6 +19,8 @@ func run(of: Authoring, into: String) -> void:
 	await _wait(20)
 	await _take_rules()
 	await _take_city()
+	await _take_people()
+	await _take_gizmos()
 
 
 func _take_rules() -> void:
@@ -51,6 +54,46 @@ func _take_city() -> void:
 	authoring.dock.city_tab.show_attributes(city.lot_types[0])
 	await _wait(5)
 	await _save("city_rules")
+
+
+func _take_people() -> void:
+	var dock: TabContainer = authoring.dock
+	dock.current_tab = 1
+	authoring.context.citizens.person_count = PICTURED_PERSONS
+	authoring.dock.population_tab.generate()
+	await _wait(4)
+	await _save("population")
+	(authoring.dock.population_tab.get_node("%Pages") as TabContainer).current_tab = 1
+	await _wait(3)
+	await _save("shares")
+	authoring.context.citizens.jump_to(0, 8.0 * 3600.0)
+	dock.current_tab = 2
+	authoring.dock.simulation_tab.start_survey()
+	await authoring.dock.simulation_tab.survey.ended
+	(authoring.dock.simulation_tab.get_node("%Heat") as CheckBox).button_pressed = true
+	await _wait(4)
+	await _save("simulation")
+	(authoring.dock.simulation_tab.get_node("%Heat") as CheckBox).button_pressed = false
+	dock.current_tab = 3
+	authoring.context.choose_person(_find_child())
+	(authoring.dock.person_tab.get_node("%Ways") as CheckBox).button_pressed = true
+	await _wait(4)
+	await _save("person")
+
+
+# Whose week has most ways.
+func _find_child() -> int:
+	for person: int in authoring.dock.population_tab.count_persons():
+		if int(authoring.context.citizens.get_person(person)["age"]) in range(7, 15):
+			return person
+	return 0
+
+
+func _take_gizmos() -> void:
+	var zones: Array[Node] = authoring.context.city.find_children("*", "PCGZone", true, false)
+	if not zones.is_empty():
+		await _look_at(zones[0])
+		await _save("gizmos")
 
 
 func _show_dock(content: Control) -> void:
