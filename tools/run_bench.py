@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Runs the programs in build/bench and collects their figures.
 
-    run_bench.py [NAME..] [--json FILE]
+    run_bench.py [NAME..] [--engine GODOT] [--json FILE]
     run_bench.py --instructions [CASE..] [--json FILE]
 
 A program prints one JSON object a figure: name, value, unit, peer (what it is compared with), ratio (value over peer; of instructions peer over
-value). Where valgrind is installed, agenda_bench has a figure in instructions too: they are the same on every run, whatever else the machine does.
+value). With an engine, bench/agents_bench.gd is one of them. Where valgrind is installed, agenda_bench has a figure in instructions too: they are the same on every run, whatever else the machine does.
 With --instructions only those of derivations are counted, by face and case.
 """
 
@@ -20,12 +20,13 @@ from pathlib import Path
 from deps import ROOT
 
 DERIVE = ROOT / "build/bench/derive_bench"
+AGENTS = ROOT / "bench/agents_bench.gd"
 FIELDS = ("name", "value", "unit", "peer", "ratio")
 
 
-def figures_of(program):
-    """Returns the figures that one program prints, or raises ValueError with what is wrong."""
-    done = subprocess.run([program], cwd=ROOT, capture_output=True, text=True, check=False)
+def figures_of(program, *command):
+    """Returns the figures that one program prints, or raises ValueError with what is wrong. `command` runs what is no program by itself."""
+    done = subprocess.run(command or [program], cwd=ROOT, capture_output=True, text=True, check=False)
     if done.returncode != 0:
         raise ValueError(f"{program.name} ended with status {done.returncode}\n{done.stdout}{done.stderr}")
     figures = [json.loads(line) for line in done.stdout.splitlines() if line.startswith("{")]
@@ -66,6 +67,9 @@ def jobs_of(options):
     """What to measure: pairs of a name and a function that returns its figures. None, with a message, where that is not there."""
     programs = {path.name: path for path in sorted((ROOT / "build/bench").glob("*")) if path.is_file()}
     jobs = {name: lambda path=path: figures_of(path) for name, path in programs.items()}
+    if options.engine:
+        command = [options.engine, "--headless", "--no-header", "--fixed-fps", "60", "--path", ".", "--script", f"bench/{AGENTS.name}"]
+        jobs[AGENTS.stem] = lambda: figures_of(AGENTS, *command)
     if options.instructions and not shutil.which("valgrind"):
         print("bench: valgrind is not installed", file=sys.stderr)
         return None
@@ -82,6 +86,7 @@ def jobs_of(options):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("names", nargs="*", metavar="NAME")
+    parser.add_argument("--engine", metavar="GODOT")
     parser.add_argument("--json", type=Path, metavar="FILE")
     parser.add_argument("--instructions", action="store_true")
     options = parser.parse_args()

@@ -26,8 +26,8 @@ float step_aside(PersonId person) { return (float(mix64(index_of(person)) >> 40)
 
 glm::vec3 flat(glm::vec3 vector) { return { vector.x, 0.0f, vector.z }; }
 
-void turn(glm::vec3 &facing, glm::vec3 aim, float seconds) {
-	const glm::vec3 goal = flat(aim), turned = facing + (goal - facing) * (1.0f - std::exp(-turn_rate * seconds));
+void turn(glm::vec3 &facing, glm::vec3 aim, float share) {
+	const glm::vec3 goal = flat(aim), turned = facing + (goal - facing) * share;
 	const float length = glm::length(turned);
 	facing = length > 1e-3f ? turned / length : (glm::dot(goal, goal) > 0.0f ? goal : facing);
 }
@@ -91,7 +91,7 @@ glm::vec3 next_position(Body &body, glm::vec3 before, bool is_seen, Surroundings
 		forget_way_back(body);
 		return body.place;
 	}
-	if (gap > astray_distance || body.is_carried) {
+	if (body.is_astray(before)) {
 		if (!is_seen) {
 			forget_way_back(body);
 			body.was_placed = true;
@@ -105,6 +105,13 @@ glm::vec3 next_position(Body &body, glm::vec3 before, bool is_seen, Surroundings
 }
 
 } // namespace
+
+float turned_within(float seconds) { return 1.0f - std::exp(-turn_rate * seconds); }
+
+bool Body::is_astray(glm::vec3 before) const {
+	const glm::vec3 drift = position - before;
+	return is_carried || glm::dot(drift, drift) > astray_distance * astray_distance;
+}
 
 float Body::gap() const { return glm::distance(position, place); }
 
@@ -140,7 +147,7 @@ void Body::settle() {
 	forget_way_back(*this);
 }
 
-void Body::advance(SimTime time, float seconds) {
+void Body::advance(SimTime time, float turned) {
 	if (!path.empty()) {
 		const float metres = std::max(0.0f, float((time - departure).in_seconds()) * speed);
 		if (metres < walked_before) {
@@ -163,8 +170,8 @@ void Body::advance(SimTime time, float seconds) {
 			stand(path.back(), aim, AgentPose::Stand);
 		}
 	}
-	turn(facing, aim, seconds);
-	turn(heading, aim, seconds);
+	turn(facing, aim, turned);
+	turn(heading, aim, turned);
 	const float share = path.empty() ? 0.0f : std::clamp(std::min(walked, length - walked) / aside_over, 0.0f, 1.0f);
 	place = on_path + glm::vec3(heading.z, 0.0f, -heading.x) * (step_aside(person) * share);
 }
@@ -181,19 +188,19 @@ void step_body(Body &body, glm::vec3 before, bool is_seen, Surroundings &around)
 		body.position = next;
 		body.shown_pose = body.pose;
 	} else {
-		move_body(body, next, around.seconds);
+		move_body(body, next, around);
 	}
 	body.was_placed |= body.is_carried;
 }
 
-void move_body(Body &body, glm::vec3 position, float seconds) {
+void move_body(Body &body, glm::vec3 position, const Surroundings &around) {
 	const float metres = glm::distance(position, body.position);
-	if (seconds > 0.0f) {
-		const bool walks = metres > slowest_walk * seconds;
-		body.strayed += metres - (body.path.empty() ? 0.0f : body.speed * seconds);
+	if (around.seconds > 0.0f) {
+		const bool walks = metres > slowest_walk * around.seconds;
+		body.strayed += metres - (body.path.empty() ? 0.0f : body.speed * around.seconds);
 		body.shown_pose = walks ? AgentPose::Walk : (body.pose == AgentPose::Walk ? AgentPose::Stand : body.pose);
 		if (walks && glm::distance(position, body.place) > look_ahead_within) {
-			turn(body.facing, (position - body.position) / metres, seconds);
+			turn(body.facing, (position - body.position) / metres, around.turned);
 		}
 	}
 	body.position = position;

@@ -51,6 +51,7 @@ struct Body {
 	float stalled = 0.0f; // seconds since it last came nearer
 	bool is_carried = false; // it was stuck: moved by the crowd until it is back
 
+	bool has_scene = false;
 	bool moves_itself = false; // its scene moves it; the crowd says where to
 	bool shows_figure = true; // also as an agent
 	bool is_leaving = false; // its person went inside; it follows
@@ -60,21 +61,27 @@ struct Body {
 	void stand(glm::vec3 where, glm::vec3 look, AgentPose how);
 	// Takes the body to where it belongs, at once.
 	void settle();
-	// Along the path to where it should be at `time`, and its look turned by `seconds`.
-	void advance(SimTime time, float seconds);
+	// Along the path to where it should be at `time`; `turned` is the share of a turn that it does meanwhile.
+	void advance(SimTime time, float turned);
 	float gap() const;
+	// Whether it must look for a way, had it stayed while its place moved on from `before`.
+	bool is_astray(glm::vec3 before) const;
 };
+
+// The share of a turn that a body does in so many seconds, 0 .. 1.
+float turned_within(float seconds);
 
 // What a body needs to know to find its way back.
 struct Surroundings {
 	const PathProvider *paths = nullptr; // null: straight ways
 	float seconds = 0.0f; // of simulated time since the last step
+	float turned = 0.0f; // turned_within(seconds)
 	uint32_t ways_left = 0; // to be looked for in this step
 };
 
-// One step of a body from its place `before` towards the present one. `is_seen`: somebody would see it jump.
+// One step of a body from its place `before` towards the present one. `is_seen` (of a body that is astray): somebody would see it jump.
 void step_body(Body &body, glm::vec3 before, bool is_seen, Surroundings &around);
-// It was moved by somebody else in so many seconds.
-void move_body(Body &body, glm::vec3 position, float seconds);
+// It was moved by somebody else.
+void move_body(Body &body, glm::vec3 position, const Surroundings &around);
 
 } // namespace pcg

@@ -60,7 +60,7 @@ void Crowd::spawn_agent(PersonId person, glm::vec3 position) {
 		body.looks = looks_of(*_population, person);
 		body.natural_speed = _population->person(person).walking_speed;
 		body.walked = body.strayed = 0.0f;
-		body.moves_itself = body.is_leaving = false;
+		body.has_scene = body.moves_itself = body.is_leaving = false;
 		body.shows_figure = true;
 		body.stand(position, glm::vec3(0.0f, 0.0f, 1.0f), AgentPose::Stand);
 		body.settle();
@@ -136,24 +136,32 @@ void Crowd::update(SimTime time, const Eye &eye, const DetailLimits &limits) {
 	_eye = eye;
 	_limits = limits;
 	_around.seconds = is_jump ? 0.0f : seconds;
+	_around.turned = turned_within(_around.seconds);
 	_around.ways_left = ways_a_step;
 	drop_leavers(eye, is_jump);
 	for (size_t i = 0; i < _bodies.size(); ++i) {
 		Body &body = _bodies[i];
 		const glm::vec3 before = body.place;
-		body.advance(time, _around.seconds);
+		body.advance(time, _around.turned);
 		if (is_jump) {
 			body.settle();
 		} else {
-			const bool is_near = body.position == before && !body.moves_itself; // nobody moved it
-			step_body(body, before, is_near || is_seen(eye, limits, body.position) || is_seen(eye, limits, body.place), _around);
+			const bool is_visible = body.is_astray(before) && (is_seen(eye, limits, body.position) || is_seen(eye, limits, body.place));
+			step_body(body, before, is_visible, _around);
 		}
 		_positions[i] = body.position;
 	}
 	_chooser.choose(_positions, _levels, eye, limits);
 	for (const uint32_t slot : _chooser.leavers()) {
-		_bodies[slot].moves_itself = false;
-		_bodies[slot].shows_figure = true;
+		lose_scene(slot);
+	}
+	_new_agents.clear();
+	for (const uint32_t slot : _chooser.comers()) {
+		if (_bodies[slot].is_leaving) { // nobody is there whom a scene could show
+			_levels[slot] = DetailLevel::Figure;
+		} else {
+			_new_agents.push_back(slot);
+		}
 	}
 }
 
@@ -166,19 +174,21 @@ void Crowd::drop_leavers(const Eye &eye, bool is_settled) {
 }
 
 void Crowd::set_scene(uint32_t slot, bool moves_itself, bool shows_figure) {
+	_bodies[slot].has_scene = true;
 	_bodies[slot].moves_itself = moves_itself;
 	_bodies[slot].shows_figure = shows_figure;
 }
 
 void Crowd::lose_scene(uint32_t slot) {
 	set_scene(slot, false, true);
+	_bodies[slot].has_scene = false;
 	if (_levels[slot] == DetailLevel::Agent) {
 		_levels[slot] = DetailLevel::Figure;
 	}
 }
 
 void Crowd::move_agent(uint32_t slot, glm::vec3 position) {
-	move_body(_bodies[slot], position, _around.seconds);
+	move_body(_bodies[slot], position, _around);
 	_positions[slot] = position;
 }
 
@@ -205,12 +215,13 @@ PersonId Crowd::pick(glm::vec3 origin, glm::vec3 direction, float reach) const {
 	return best;
 }
 
-const std::vector<float> &Crowd::write_figures(size_t kind) {
-	_figures.clear();
+void Crowd::write_figures() {
+	for (std::vector<float> &figures : _figures) {
+		figures.clear();
+	}
 	for (size_t i = 0; i < _bodies.size(); ++i) {
 		const Body &body = _bodies[i];
-		const bool is_drawn = _levels[i] == DetailLevel::Figure || (_levels[i] == DetailLevel::Agent && body.shows_figure);
-		if (!is_drawn || body.looks.kind != kind) {
+		if (_levels[i] == DetailLevel::Data || (_levels[i] == DetailLevel::Agent && !body.shows_figure)) {
 			continue;
 		}
 		// The figure looks along -z: its z axis points away from where it goes.
@@ -221,9 +232,9 @@ const std::vector<float> &Crowd::write_figures(size_t kind) {
 			-back_x, 0.0f, back_z, body.position.z, //
 			body.looks.top.r, body.looks.top.g, body.looks.top.b, 1.0f, //
 			body.walked + body.strayed, walks, sits, float(body.looks.hair + 8 * body.looks.skin) };
-		_figures.insert(_figures.end(), std::begin(numbers), std::end(numbers));
+		std::vector<float> &figures = _figures[body.looks.kind];
+		figures.insert(figures.end(), std::begin(numbers), std::end(numbers));
 	}
-	return _figures;
 }
 
 } // namespace pcg

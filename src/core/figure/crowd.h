@@ -37,8 +37,9 @@ public:
 
 	// Moves everybody to `time` and chooses what is shown for `eye`. Steps back in time, and of more than an hour, put everybody where they belong.
 	void update(SimTime time, const Eye &eye, const DetailLimits &limits);
-	// Writes the figures of one kind that are to be drawn now, crowd_stride floats each.
-	const std::vector<float> &write_figures(size_t kind);
+	// Writes the figures that are to be drawn now: those of one kind, crowd_stride floats each.
+	void write_figures();
+	const std::vector<float> &figures(size_t kind) const { return _figures[kind]; }
 
 	static constexpr uint32_t no_slot = 0xFFFFFFFF;
 	// People outdoors; with those who still follow their persons indoors there are as many slots as bodies.
@@ -50,12 +51,12 @@ public:
 	std::span<const Body> bodies() const { return _bodies; }
 	DetailLevel level(uint32_t slot) const { return _levels[slot]; }
 	// Slots of those who became agents in the last update.
-	std::span<const uint32_t> new_agents() const { return _chooser.comers(); }
+	std::span<const uint32_t> new_agents() const { return _new_agents; }
 	float step_seconds() const { return _around.seconds; } // of the last update, in simulated time
 
 	const Population &population() const { return *_population; }
 
-	// An agent without a scene any more is a figure again. `moves_itself`: from now on by move_agent() only.
+	// Its agent has a scene; without one any more it is a figure again. `moves_itself`: from now on by move_agent() only.
 	void set_scene(uint32_t slot, bool moves_itself, bool shows_figure);
 	void lose_scene(uint32_t slot);
 	// The scene was moved, by itself or by somebody else: the person comes back from there.
@@ -86,7 +87,8 @@ private:
 	size_t _leaving = 0;
 	std::vector<uint32_t> _slots; // by person
 	DetailChooser _chooser;
-	std::vector<float> _figures;
+	std::vector<uint32_t> _new_agents;
+	std::array<std::vector<float>, figure_kind_count> _figures;
 };
 
 } // namespace pcg

@@ -18,6 +18,7 @@ constexpr std::array<Color, 8> ramp{ Color{ 252, 255, 164 }, Color{ 250, 193, 39
 	Color{ 212, 72, 66 }, Color{ 159, 42, 99 }, Color{ 101, 21, 110 }, Color{ 40, 11, 84 }, Color{ 0, 0, 4 } };
 constexpr double single_cell = 4.0; // what a cell has of its own after smoothing, as a divisor
 constexpr float fully_covered = 0.08f; // heat from which on the ground does not show through
+constexpr float covered_overlay = 0.35f; // the same of overlays, below which there is a city to be seen
 
 Color mix(Color a, Color b, float share) {
 	return { a[0] + (b[0] - a[0]) * share, a[1] + (b[1] - a[1]) * share, a[2] + (b[2] - a[2]) * share };
@@ -116,27 +117,58 @@ double sample(const std::vector<double> &cells, const HeatGrid &grid, double x, 
 	return std::lerp(upper, lower, y - double(top));
 }
 
+// Heat from 0 to 1 everywhere on the map.
+class HeatField {
+public:
+	HeatField(const HeatMap &map, const HeatMapStyle &style) : _grid(map.grid()), _cells(map.person_seconds()) {
+		const double limit = style.darkest > 0.0 ? single_cell * style.darkest : hot(_cells);
+		for (double &seconds : _cells) {
+			seconds = std::min(seconds, limit);
+		}
+		_cells = smoothed(_cells, _grid.columns, _grid.rows);
+		_darkest = style.darkest > 0.0 ? style.darkest : hot(_cells);
+	}
+	// At the middle of a pixel of a picture with so many pixels a cell.
+	float at(size_t pixel, uint32_t width, uint32_t scale) const {
+		const double x = (double(pixel % width) + 0.5) / scale, y = (double(pixel / width) + 0.5) / scale;
+		return float(std::sqrt(std::min(sample(_cells, _grid, x, y) / _darkest, 1.0)));
+	}
+
+private:
+	const HeatGrid &_grid;
+	std::vector<double> _cells;
+	double _darkest = 1.0;
+};
+
+uint32_t scale_of(const HeatMapStyle &style) { return std::clamp(style.pixels_per_cell, 1u, 16u); }
+
 } // namespace
 
 RgbImage draw_heat_map(const HeatMap &map, const GroundPlan &plan, const HeatMapStyle &style) {
-	const HeatGrid &grid = map.grid();
-	const uint32_t scale = std::clamp(style.pixels_per_cell, 1u, 16u);
-	RgbImage image = draw_plan(grid, plan, scale);
-	std::vector<double> cells = map.person_seconds();
-	const double limit = style.darkest > 0.0 ? single_cell * style.darkest : hot(cells);
-	for (double &seconds : cells) {
-		seconds = std::min(seconds, limit);
-	}
-	cells = smoothed(cells, grid.columns, grid.rows);
-	const double darkest = style.darkest > 0.0 ? style.darkest : hot(cells);
+	const uint32_t scale = scale_of(style);
+	RgbImage image = draw_plan(map.grid(), plan, scale);
+	const HeatField field(map, style);
 	for (size_t pixel = 0; pixel < image.pixels.size() / 3; ++pixel) {
-		const double x = (double(pixel % image.width) + 0.5) / scale;
-		const double y = (double(pixel / image.width) + 0.5) / scale;
-		const float heat = float(std::sqrt(std::min(sample(cells, grid, x, y) / darkest, 1.0)));
+		const float heat = field.at(pixel, image.width, scale);
 		if (heat > 0.0f) {
 			const uint8_t *old = &image.pixels[pixel * 3];
 			const Color below{ float(old[0]), float(old[1]), float(old[2]) };
 			set_pixel(image, pixel, mix(below, ramp_color(heat), std::min(heat / fully_covered, 1.0f)));
+		}
+	}
+	return image;
+}
+
+RgbaImage draw_heat_overlay(const HeatMap &map, const HeatMapStyle &style) {
+	const uint32_t scale = scale_of(style);
+	RgbaImage image{ map.grid().columns * scale, map.grid().rows * scale, {} };
+	image.pixels.reserve(size_t(image.width) * image.height * 4);
+	const HeatField field(map, style);
+	for (size_t pixel = 0; pixel < size_t(image.width) * image.height; ++pixel) {
+		const float heat = field.at(pixel, image.width, scale);
+		const Color color = ramp_color(heat);
+		for (const float channel : { color[0], color[1], color[2], 255.0f * std::min(heat / covered_overlay, 1.0f) }) {
+			image.pixels.push_back(uint8_t(std::lround(channel)));
 		}
 	}
 	return image;

@@ -16,6 +16,12 @@ struct RgbImage {
 	std::vector<uint8_t> pixels; // red, green, blue; rows from the top
 };
 
+struct RgbaImage {
+	uint32_t width = 0;
+	uint32_t height = 0;
+	std::vector<uint8_t> pixels; // red, green, blue, opacity; rows from the top
+};
+
 using GroundPolygon = std::vector<glm::vec3>;
 
 // What lies under the heat; later ones cover earlier ones. On streets, which are neither, the paper stays white.
@@ -34,5 +40,8 @@ struct HeatMapStyle {
 // The heat over a plan of the ground, from pale yellow over orange to dark violet (lightness falls evenly, so it reads in grey too), with the
 // square root of the time, since a few doors see most of it. Between the middles of cells it changes evenly.
 RgbImage draw_heat_map(const HeatMap &map, const GroundPlan &plan, const HeatMapStyle &style = {});
+
+// The same heat alone, transparent where nobody was, to be laid over a city. Covers the map's whole grid.
+RgbaImage draw_heat_overlay(const HeatMap &map, const HeatMapStyle &style = {});
 
 } // namespace pcg

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double fastest_steering = 3.0; // times real time; beyond it avoidance comes too late, and people glide along their paths
 constexpr float was_pushed = 0.01f; // metres
-constexpr float same_velocity = 0.05f; // m/s
+constexpr float same_velocity = 0.1f; // m/s
 
 NavigationAgent3D *find_steering(Node *root) {
 	for (int i = 0; i < root->get_child_count(); ++i) {
@@ -73,7 +73,7 @@ void PCGAgentView::take_moves(double seconds) {
 void PCGAgentView::move_scenes(double scale) {
 	for (size_t i = _agents.size(); i-- > 0;) {
 		const uint32_t slot = _crowd->slot_of(_agents[i].person);
-		if (slot == Crowd::no_slot || _crowd->level(slot) != DetailLevel::Agent) {
+		if (slot == Crowd::no_slot || !_crowd->body(slot).has_scene) { // also one who went in and came out again meanwhile
 			remove_scene(i);
 		}
 	}
@@ -133,6 +133,7 @@ void PCGAgentView::add_scene(uint32_t slot) {
 		agent.steering->set_velocity(Vector3());
 	}
 	_agents.push_back(agent);
+	_crowd->set_scene(slot, false, link->get_shows_figure());
 	link->assign(int(index_of(body.person)), looks_for_scenes(_crowd->population(), body.person, body.looks), [this, link] { lose_scene(link); });
 }
 
@@ -142,7 +143,7 @@ void PCGAgentView::remove_scene(size_t index) {
 	_agents[index] = _agents.back();
 	_agents.pop_back();
 	const uint32_t slot = _crowd->slot_of(agent.person);
-	if (slot != Crowd::no_slot) {
+	if (slot != Crowd::no_slot && _crowd->body(slot).has_scene) {
 		_crowd->lose_scene(slot);
 	}
 	agent.link->release();

@@ -48,6 +48,13 @@ private:
 	std::vector<Notice> _notices;
 };
 
+// Heat maps of everybody and of the three ages of the paper's figure: under 18, under 65, and older.
+struct AgeHeat {
+	static constexpr size_t group_count = 4;
+	AgeHeat(const CityModel &city, const Population &population);
+	std::vector<HeatMap> maps; // everybody's first
+};
+
 // Everything that one running simulation needs, in the order in which it depends on each other.
 struct CitizenLife {
 	uint64_t city_id = 0; // of the PCGCity
@@ -60,7 +67,7 @@ struct CitizenLife {
 	std::unique_ptr<Simulation> simulation;
 	std::unique_ptr<InvariantChecker> checker; // only if promises are to be checked
 	std::unique_ptr<LivedLog> log; // these two only if lives are to be recorded
-	std::unique_ptr<HeatMap> heat;
+	std::unique_ptr<AgeHeat> heat;
 };
 
 } // namespace pcg

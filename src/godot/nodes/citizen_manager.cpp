@@ -200,9 +200,11 @@ bool CitizenManager::start() {
 	}
 	if (_record_lives) {
 		life.log = std::make_unique<LivedLog>();
-		life.heat = std::make_unique<HeatMap>(grid_over(life.city->city.model));
+		life.heat = std::make_unique<AgeHeat>(life.city->city.model, life.population);
 		life.simulation->add_observer(*life.log);
-		life.simulation->add_observer(*life.heat);
+		for (HeatMap &map : life.heat->maps) {
+			life.simulation->add_observer(map);
+		}
 	}
 	open_view();
 	listen();

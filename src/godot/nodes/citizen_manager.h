@@ -2,11 +2,13 @@
 
 #include <memory>
 
+#include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/classes/node.hpp>
 #include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/packed_int32_array.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
+#include <godot_cpp/variant/rect2.hpp>
 #include <godot_cpp/variant/string.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 #include <godot_cpp/variant/vector3.hpp>
@@ -80,9 +82,13 @@ public:
 	godot::TypedArray<godot::Dictionary> get_diagnostics() const;
 	int choose_household() const;
 	godot::PackedStringArray tell_day(int p_household, int p_day) const;
-	godot::Error save_heat_map(const godot::String &p_path) const;
 	godot::Error save_lives(const godot::String &p_path) const;
 	PCGAgentView *get_agent_view() const;
+
+	// citizen_heat.cpp
+	godot::Error save_heat_map(const godot::String &p_path, const godot::String &p_group) const;
+	godot::Ref<godot::Image> get_heat_image(const godot::String &p_group) const;
+	godot::Rect2 get_heat_area() const;
 
 	void _ready() override;
 	void _process(double p_delta) override;
@@ -105,6 +111,7 @@ private:
 	void tell_notices();
 	void tell_broken_promises();
 	void flush_lives() const;
+	const HeatMap *find_heat_map(const godot::String &p_group) const;
 	void tell_rule_messages();
 	void on_city_generated(bool);
 	void follow_city();

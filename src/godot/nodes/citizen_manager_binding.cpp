@@ -97,7 +97,9 @@ void CitizenManager::bind_queries() {
 	ClassDB::bind_method(D_METHOD("get_diagnostics"), &CitizenManager::get_diagnostics);
 	ClassDB::bind_method(D_METHOD("choose_household"), &CitizenManager::choose_household);
 	ClassDB::bind_method(D_METHOD("tell_day", "household", "day"), &CitizenManager::tell_day);
-	ClassDB::bind_method(D_METHOD("save_heat_map", "path"), &CitizenManager::save_heat_map);
+	ClassDB::bind_method(D_METHOD("save_heat_map", "path", "group"), &CitizenManager::save_heat_map, DEFVAL(""));
+	ClassDB::bind_method(D_METHOD("get_heat_image", "group"), &CitizenManager::get_heat_image, DEFVAL(""));
+	ClassDB::bind_method(D_METHOD("get_heat_area"), &CitizenManager::get_heat_area);
 	ClassDB::bind_method(D_METHOD("save_lives", "path"), &CitizenManager::save_lives);
 	ClassDB::bind_method(D_METHOD("get_agent_view"), &CitizenManager::get_agent_view);
 }

@@ -1,11 +1,9 @@
 #include <godot_cpp/classes/project_settings.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 
-#include "core/io/png.h"
 #include "core/io/trace_csv.h"
 #include "core/population/names.h"
 #include "core/sim/day_story.h"
-#include "core/sim/heat_map_image.h"
 #include "godot/convert.h"
 #include "godot/nodes/citizen_manager.h"
 #include "godot/nodes/pcg_agent_view.h"
@@ -17,8 +15,6 @@ using namespace godot;
 namespace pcg {
 
 namespace {
-
-String to_system_path(const String &path) { return ProjectSettings::get_singleton()->globalize_path(path); }
 
 Dictionary to_dictionary(const Target &place) {
 	static constexpr const char *kinds[] = { "", "building", "zone", "object", "person" };
@@ -99,6 +95,12 @@ TypedArray<Dictionary> CitizenManager::get_agenda(int p_person) const {
 		entry["end"] = task.end().in_seconds();
 		entry["target"] = task.target == 0xFFFFFFFF ? int64_t(-1) : int64_t(task.target);
 		entry["days"] = day_names(task.days);
+		if (task.kind == TaskKind::DelayedRule && task.target < _life->program->rules.size()) {
+			entry["delayed_rule"] = to_godot(std::string_view(_life->program->rules[task.target].name));
+		} else if (task.kind == TaskKind::Accompany) {
+			entry["leader"] = int64_t(index_of(_life->agendas.groups[task.target].leader));
+			entry["joiners"] = to_ids(_life->agendas.groups[task.target].joiners);
+		}
 		if (task.origin < _life->agendas.origins.size()) {
 			const TaskOrigin &origin = _life->agendas.origins[task.origin];
 			entry["rule"] = to_godot(std::string_view(origin.rule));
@@ -184,30 +186,12 @@ PackedStringArray CitizenManager::tell_day(int p_household, int p_day) const {
 			SimTime::at(p_day, {}), SimTime::at(int64_t(p_day) + 1, {})));
 }
 
-Error CitizenManager::save_heat_map(const String &p_path) const {
-	ERR_FAIL_COND_V_MSG(!is_running() || !_life->heat, ERR_UNCONFIGURED,
-			"CitizenManager: no lives are recorded. Set record_lives before start().");
-	flush_lives();
-	const City &city = _life->city->city;
-	GroundPlan plan;
-	for (const Lot &lot : city.layout.lots) {
-		plan.lots.push_back(lot.polygon);
-	}
-	for (const LotBuild &lot : city.lots) {
-		plan.walkable.insert(plan.walkable.end(), lot.free_ground.begin(), lot.free_ground.end());
-	}
-	Diagnostics diagnostics;
-	write_png(from_godot(to_system_path(p_path)), draw_heat_map(*_life->heat, plan, { .pixels_per_cell = 4 }), diagnostics);
-	report(diagnostics);
-	return diagnostics.has_errors() ? ERR_FILE_CANT_WRITE : OK;
-}
-
 Error CitizenManager::save_lives(const String &p_path) const {
 	ERR_FAIL_COND_V_MSG(!is_running() || !_life->log, ERR_UNCONFIGURED,
 			"CitizenManager: no lives are recorded. Set record_lives before start().");
 	flush_lives();
 	Diagnostics diagnostics;
-	write_lived_csv(from_godot(to_system_path(p_path)), _life->city->city.model, _life->population, *_life->log, {}, diagnostics);
+	write_lived_csv(from_godot(ProjectSettings::get_singleton()->globalize_path(p_path)), _life->city->city.model, _life->population, *_life->log, {}, diagnostics);
 	report(diagnostics);
 	return diagnostics.has_errors() ? ERR_FILE_CANT_WRITE : OK;
 }

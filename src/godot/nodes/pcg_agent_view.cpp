@@ -170,6 +170,7 @@ void PCGAgentView::show_at(SimTime time) {
 	_crowd->update(time, eye(), _limits);
 	_scale = seconds > 0.0 ? _crowd->step_seconds() / seconds : 0.0;
 	move_scenes(_scale);
+	_crowd->write_figures();
 	for (size_t kind = 0; kind < figure_kind_count; ++kind) {
 		upload(kind);
 	}
@@ -177,7 +178,7 @@ void PCGAgentView::show_at(SimTime time) {
 
 // The engine wants a whole buffer each time; it grows by doubling, so that it is seldom made anew. What lies behind the visible ones is old.
 void PCGAgentView::upload(size_t kind) {
-	const std::vector<float> &numbers = _crowd->write_figures(kind);
+	const std::vector<float> &numbers = _crowd->figures(kind);
 	const Ref<MultiMesh> &mesh = _meshes[kind];
 	const int count = int(numbers.size() / crowd_stride);
 	if (count == 0) {

@@ -107,4 +107,5 @@ TEST_CASE("a week of night shifts breaks no promise") { check_week("night_shift.
 TEST_CASE("a week of students breaks no promise") { check_week("students.pcg"); }
 TEST_CASE("a week with a market day breaks no promise") { check_week("market_day.pcg", { "requirement-unmet" }); }
 TEST_CASE("a week with an election breaks no promise") { check_week("election_sunday.pcg", { "requirement-unmet" }); }
+TEST_CASE("a week of random walks breaks no promise") { check_week("random.pcg"); }
 TEST_CASE("a week with an evacuation breaks no promise") { check_week("evacuation.pcg"); }

@@ -43,7 +43,8 @@ TEST_CASE("a body is where its speed brings it along the path, and stands at the
 	street.update(Duration::seconds(6)); // 12 m: two beyond the corner
 	CHECK(street.crowd.position(PersonId(0)).x == doctest::Approx(10.0f));
 	CHECK(street.crowd.position(PersonId(0)).z == doctest::Approx(2.0f));
-	const std::vector<float> &numbers = street.crowd.write_figures(looks_of(street.population, PersonId(0)).kind);
+	street.crowd.write_figures();
+	const std::vector<float> &numbers = street.crowd.figures(looks_of(street.population, PersonId(0)).kind);
 	REQUIRE(numbers.size() == crowd_stride);
 	CHECK(numbers[16] == doctest::Approx(12.0f));
 	CHECK(numbers[17] == 1.0f);
@@ -52,7 +53,7 @@ TEST_CASE("a body is where its speed brings it along the path, and stands at the
 	CHECK(numbers[10] == doctest::Approx(-1.0f));
 	street.update(Duration::seconds(60));
 	CHECK(street.crowd.position(PersonId(0)).z == doctest::Approx(5.0f));
-	street.crowd.write_figures(looks_of(street.population, PersonId(0)).kind);
+	street.crowd.write_figures();
 	CHECK(numbers[17] == 0.0f);
 }
 
@@ -215,6 +216,23 @@ TEST_CASE("whose body lags behind is followed by it indoors, and steps out of it
 		street.update(Duration::seconds(0.5) + Duration{ step * 100 });
 	}
 	CHECK(street.crowd.bodies().empty());
+}
+
+TEST_CASE("who follows its person indoors gets no scene any more, and who steps out again needs a new one") {
+	Street street;
+	street.limits = { .agent_distance = 100.0f };
+	street.crowd.spawn_agent(PersonId(0), { 0, 0, 0 });
+	street.update({});
+	street.crowd.set_scene(0, false, false);
+	street.push(0, { 3, 0, 0 });
+	street.crowd.free_agent(PersonId(0));
+	street.update(Duration::seconds(0.1));
+	CHECK(street.crowd.level(0) == DetailLevel::Figure);
+	CHECK(street.crowd.new_agents().empty());
+	street.crowd.spawn_agent(PersonId(0), { 0, 0, 0 });
+	street.update(Duration::seconds(0.2));
+	REQUIRE(street.crowd.new_agents().size() == 1);
+	CHECK_FALSE(street.body(0).has_scene);
 }
 
 TEST_CASE("a jump in time puts everybody where they belong") {

@@ -96,3 +96,24 @@ TEST_CASE("a bench where somebody sits all day is a spot that leaves the ways in
 	CHECK(red(20, 12) > red(10, 5)); // a cell alone is not darker than a way
 	CHECK(red(20, 12) < 255); // but seen
 }
+
+TEST_CASE("the overlay is clear where nobody was and thick where people stay") {
+	HeatMap map({ { 0.0f, 0.0f }, 1.0f, 40, 10 });
+	LivedSpan span;
+	span.state = PersonState::Waiting;
+	span.end = SimTime{ 1000 };
+	span.position = { 30.5f, 0.0f, 5.5f };
+	map.on_lived(span);
+	span.end = SimTime{ 100'000 };
+	span.position = { 20.5f, 0.0f, 5.5f };
+	map.on_lived(span);
+	const RgbaImage image = draw_heat_overlay(map, { .pixels_per_cell = 1 });
+	const auto opacity = [&](int x, int y) { return int(image.pixels[size_t(y * 40 + x) * 4 + 3]); };
+	CHECK(image.width == 40);
+	CHECK(image.height == 10);
+	CHECK(image.pixels.size() == 40 * 10 * 4);
+	CHECK(opacity(3, 3) == 0);
+	CHECK(opacity(20, 5) == 255);
+	CHECK(opacity(30, 5) > 0);
+	CHECK(opacity(30, 5) < 255);
+}

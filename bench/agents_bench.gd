@@ -1,0 +1,97 @@
+extends SceneTree
+## What a frame costs CitizenManager in the engine, with people as full agents: scenes with a NavigationAgent3D that avoids others.
+##
+##     godot --headless --fixed-fps 60 --path . --script bench/agents_bench.gd
+##
+## 300 lots, 2,000 persons on a weekday, at four in the afternoon, when school and work end. Everybody outdoors has a scene; the clock runs in real
+## time. Prints one JSON object a figure, as the programs of this folder do. What the engine spends on avoidance is told separately; nothing is drawn.
+
+const DemoCity := preload("res://demo/demo_city.gd")
+const FRAME := 1.0 / 60.0 ## seconds
+const BEGIN := 15.0 * 3600.0 + 59.0 * 60.0 + 45.0
+const WARM_UP := 1200 ## frames, until all have left and have their scenes
+const MEASURED := 1800 ## frames
+const PERSONS := 2000
+const LIMIT_AVERAGE := 1.0 ## ms
+const LIMIT_PERCENTILE := 4.0 ## ms
+
+var _city: PCGCity
+var _citizens: CitizenManager
+
+
+func _initialize() -> void:
+	_run.call_deferred()
+
+
+func _run() -> void:
+	_make_world()
+	_city.generate()
+	if not await _city.city_generated or not _citizens.generate_population():
+		printerr("agents_bench: there is no city to live in")
+		quit(1)
+		return
+	_citizens.jump_to(0, BEGIN)
+	_citizens.start()
+	await _measure("agents", true)
+	_citizens.jump_to(0, BEGIN)
+	await _measure("figures", false)
+	root.get_child(root.get_child_count() - 1).queue_free()
+	await process_frame
+	quit(0)
+
+
+func _make_world() -> void:
+	var world := Node3D.new()
+	root.add_child(world)
+	_city = DemoCity.make_city(300, 1)
+	world.add_child(_city)
+	_citizens = CitizenManager.new()
+	_citizens.city = _city
+	_citizens.rules = PCGRuleSet.from_file(DemoCity.RULES)
+	_citizens.household_table = PCGHouseholdTable.from_file(DemoCity.HOUSEHOLDS)
+	_citizens.person_count = PERSONS
+	_citizens.paused = true # this script moves the clock, and takes the time
+	var view := PCGAgentView.new()
+	view.agent_distance = 2000.0
+	view.figure_distance = 2000.0
+	view.switch_budget = 50
+	_citizens.add_child(view)
+	world.add_child(_citizens)
+	var camera := Camera3D.new()
+	camera.far = 3000.0
+	camera.position = Vector3(0, 400, 1)
+	world.add_child(camera)
+	camera.look_at(Vector3.ZERO)
+
+
+func _measure(what: String, has_scenes: bool) -> void:
+	_citizens.get_agent_view().agent_limit = PERSONS if has_scenes else 0
+	var milliseconds := PackedFloat64Array()
+	var avoidance := 0.0
+	var outside := 0
+	var scenes := 0
+	for frame: int in WARM_UP + MEASURED:
+		var begin: int = Time.get_ticks_usec()
+		_citizens.advance(FRAME)
+		var spent: float = float(Time.get_ticks_usec() - begin) / 1000.0
+		await process_frame
+		if frame >= WARM_UP:
+			milliseconds.append(spent)
+			avoidance += Performance.get_monitor(Performance.TIME_NAVIGATION_PROCESS) * 1000.0
+			outside += _citizens.get_agent_view().get_agent_count()
+			scenes += _citizens.get_agent_view().get_scene_count()
+	milliseconds.sort()
+	var sum := 0.0
+	for one: float in milliseconds:
+		sum += one
+	_tell("engine_%s_ms_a_frame" % what, sum / MEASURED, "ms", LIMIT_AVERAGE)
+	_tell("engine_%s_ms_99th_percentile" % what, milliseconds[floori(MEASURED * 0.99)], "ms", LIMIT_PERCENTILE)
+	_tell("engine_%s_ms_slowest" % what, milliseconds[MEASURED - 1], "ms", 0.0)
+	_tell("engine_%s_outdoors" % what, float(outside) / MEASURED, "persons", 0.0)
+	if has_scenes:
+		_tell("engine_%s_scenes" % what, float(scenes) / MEASURED, "scenes", 0.0)
+		_tell("engine_%s_navigation_server_ms_a_frame" % what, avoidance / MEASURED, "ms", 0.0)
+
+
+func _tell(name: String, value: float, unit: String, peer: float) -> void:
+	print(JSON.stringify({"name": name, "value": snappedf(value, 0.001), "unit": unit, "peer": peer, "ratio": snappedf(value / peer, 0.001) if peer > 0.0 else 0.0}))

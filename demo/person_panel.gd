@@ -1,0 +1,131 @@
+class_name DemoPersonPanel
+extends PanelContainer
+## Who somebody is, what they do now, and their agenda of the day: when, what, where to, and which rule wants it.
+
+signal closed
+
+const SECONDS_BETWEEN_TEXTS := 0.5
+const ROOM_BELOW := 32.0 ## pixels to the lower edge of the screen; longer agendas scroll
+const LEAST_HEIGHT := 80.0
+const DAY_SECONDS := 86400.0
+const WEEK := ["mon", "tue", "wed", "thu", "fri", "sat", "sun"]
+const DOING := { "inside": "is inside", "walking": "is on the way to", "waiting": "waits at", "at-place": "is at" }
+const NOW_COLOR := "#ffd479"
+const DIM_COLOR := "#9fb0b8"
+
+@export var citizens: CitizenManager
+@export var city: PCGCity
+
+var person := -1
+var _age := INF
+var _types := {} ## of buildings, by id
+
+@onready var _name: Label = %Name
+@onready var _now: Label = %Now
+@onready var _agenda: RichTextLabel = %Agenda
+@onready var _close: Button = %Close
+
+
+func _ready() -> void:
+	_close.pressed.connect(close)
+	hide()
+
+
+func show_person(id: int) -> void:
+	person = id
+	visible = id >= 0
+	_age = INF
+
+
+func close() -> void:
+	show_person(-1)
+	closed.emit()
+
+
+func _process(delta: float) -> void:
+	_age += delta
+	if visible and _age > SECONDS_BETWEEN_TEXTS and citizens.is_running():
+		_age = 0.0
+		write()
+
+
+func write() -> void:
+	var who: Dictionary = citizens.get_person(person)
+	_name.text = "%s, %d" % [who["name"], who["age"]]
+	_now.text = describe_now(who)
+	_agenda.text = describe_agenda(who)
+	var room: float = get_viewport_rect().size.y - _agenda.global_position.y - ROOM_BELOW
+	_agenda.custom_minimum_size.y = clampf(_agenda.get_content_height(), 0.0, maxf(room, LEAST_HEIGHT))
+	reset_size()
+
+
+## A sentence such as "is on the way to school 12, arrives at 07:58".
+func describe_now(who: Dictionary) -> String:
+	var state: String = who.get("state", "")
+	var place: Dictionary = who.get("place", {})
+	var text: String = "%s %s" % [DOING.get(state, state), _name_of_place(who, place.get("kind", ""), place.get("id", -1))]
+	if who.has("arrival"):
+		text += ", arrives at %s" % _clock(who["arrival"])
+	if int(who.get("leader", -1)) not in [-1, person]:
+		text += ", with %s" % citizens.get_person(who["leader"])["name"]
+	return text
+
+
+## One line for each entry that holds today; the present one stands out.
+func describe_agenda(who: Dictionary) -> String:
+	var lines := PackedStringArray()
+	var today: String = WEEK[posmod(citizens.day, 7)]
+	for entry: Dictionary in citizens.get_agenda(person):
+		if not (entry["days"] as PackedStringArray).has(today):
+			continue
+		var is_now: bool = entry["start"] <= citizens.time and citizens.time < entry["end"]
+		var line: String = "%s – %s  [b]%s[/b]" % [_clock(entry["start"]), _clock(entry["end"]), _describe_task(who, entry)]
+		if is_now:
+			line = "[color=%s]%s[/color]" % [NOW_COLOR, line]
+		lines.append(line + "\n[color=%s]    %s, %s:%d[/color]" % [DIM_COLOR, entry.get("rule", ""), str(entry.get("file", "")).get_file(), entry.get("line", 0)])
+	return "\n".join(lines)
+
+
+func _describe_task(who: Dictionary, entry: Dictionary) -> String:
+	var kind: String = entry["kind"]
+	match kind:
+		"delayedRule":
+			return "follows %s" % entry["delayed_rule"]
+		"accompany":
+			var joiners: PackedInt32Array = entry["joiners"]
+			return "walks with %s" % citizens.get_person(entry["leader"])["name"] if joiners.has(person) else "walks with %s" % ", ".join(_names(joiners))
+		"stayInside":
+			return "stays at home" if entry["target"] == who["home"] else "stays in %s" % _name_of_place(who, "building", entry["target"])
+		"goToBuilding":
+			return "goes home" if entry["target"] == who["home"] else "goes to %s" % _name_of_place(who, "building", entry["target"])
+		"floatingSlot":
+			return "has time for errands"
+	return kind
+
+
+func _names(persons: PackedInt32Array) -> PackedStringArray:
+	var result := PackedStringArray()
+	for id: int in persons:
+		result.append(str(citizens.get_person(id)["name"]).get_slice(" ", 0))
+	return result
+
+
+func _name_of_place(who: Dictionary, kind: String, id: int) -> String:
+	if kind == "building":
+		return "home" if id == who["home"] else "%s %d" % [_type_of_building(id), id]
+	return "the street" if kind.is_empty() else "the %s" % kind
+
+
+func _type_of_building(id: int) -> String:
+	if _types.is_empty():
+		for node: Node in get_tree().get_nodes_in_group(&"pcg_entrances"):
+			var door := node as PCGEntrance
+			if door != null and city.is_ancestor_of(door) and not _types.has(door.building_id):
+				_types[door.building_id] = door.type
+	return _types.get(id, "building")
+
+
+## Seconds of the day as hours and minutes; days before and after do not show.
+func _clock(seconds: float) -> String:
+	var minutes: int = floori(fposmod(seconds, DAY_SECONDS) / 60.0)
+	return "%02d:%02d" % [floori(minutes / 60.0), minutes % 60]
