@@ -13,6 +13,9 @@ const STAGES := { "lots": "Lots are built", "scene": "The scene is filled", "nav
 const FIRST_SPEED := 10.0
 const SECONDS_PER_HOUR := 3600.0
 
+@export var shows_heat := false
+@export var hint := "" ## a second line of help
+
 var citizens: CitizenManager
 
 @onready var _clock: Label = %Clock
@@ -34,6 +37,9 @@ func _ready() -> void:
 		_add_button(_jumps, text, jump_to_hour.bind(JUMPS[text]))
 	for text: String in HEAT:
 		_heat.add_item(text)
+	_heat.visible = shows_heat
+	if not hint.is_empty():
+		(%Hint as Label).text += "\n" + hint
 	_heat.item_selected.connect(func(index: int) -> void: heat_chosen.emit(HEAT.values()[index]))
 	_time.drag_ended.connect(func(is_changed: bool) -> void:
 		if is_changed:
