@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/cga/derivation.h"
+#include "core/city/ground_patch.h"
 #include "core/city/layout.h"
 #include "core/geometry/mesh.h"
 #include "core/semantics/city_model.h"
@@ -34,6 +35,7 @@ struct City {
 	CityModel model;
 	std::vector<LotBuild> lots; // by LotId
 	GroundModel ground;
+	std::vector<GroundPatch> patches; // of the ground for walking
 };
 
 } // namespace pcg

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 #include <string>
 
 #include <glm/geometric.hpp>
@@ -11,6 +13,9 @@ namespace pcg {
 namespace {
 
 bool is_near(const std::vector<glm::vec3> &polygon, glm::vec3 min, glm::vec3 max) {
+	if (polygon.empty()) {
+		return false;
+	}
 	glm::vec3 low = polygon[0], high = polygon[0];
 	for (const glm::vec3 &corner : polygon) {
 		low = { std::min(low.x, corner.x), 0.0f, std::min(low.z, corner.z) };
@@ -25,33 +30,23 @@ void add_fan(std::vector<glm::vec3> &triangles, const std::vector<glm::vec3> &po
 	}
 }
 
-void add_polygon(NavRegion &region, const std::vector<glm::vec3> &polygon, float cost) {
-	std::vector<uint32_t> indices;
-	for (const glm::vec3 &corner : polygon) {
-		indices.push_back(uint32_t(region.vertices.size()));
-		region.vertices.push_back(corner);
-	}
-	region.polygons.push_back(std::move(indices));
-	region.costs.push_back(cost);
-}
-
 // Long strips are cut across into pieces of about this length: estimates of what lies ahead are better with short gaps.
 constexpr float piece_length = 20.0f;
 
-void add_ground(NavRegion &region, std::vector<glm::vec3> quad, float cost) {
+void add_ground(std::vector<WalkablePiece> &pieces, std::vector<glm::vec3> quad, float cost) {
 	if (quad.size() != 4) {
-		add_polygon(region, quad, cost);
+		pieces.push_back({ std::move(quad), cost });
 		return;
 	}
 	const float length = glm::distance(quad[0], quad[1]);
 	if (length < glm::distance(quad[1], quad[2])) {
 		std::rotate(quad.begin(), quad.begin() + 1, quad.end());
 	}
-	const int pieces = std::max(1, int(std::round(glm::distance(quad[0], quad[1]) / piece_length)));
-	for (int i = 0; i < pieces; ++i) {
-		const float a = float(i) / float(pieces), b = float(i + 1) / float(pieces);
-		add_polygon(region, { glm::mix(quad[0], quad[1], a), glm::mix(quad[0], quad[1], b), glm::mix(quad[3], quad[2], b),
-									glm::mix(quad[3], quad[2], a) }, cost);
+	const int count = std::max(1, int(std::round(glm::distance(quad[0], quad[1]) / piece_length)));
+	for (int i = 0; i < count; ++i) {
+		const float a = float(i) / float(count), b = float(i + 1) / float(count);
+		pieces.push_back({ { glm::mix(quad[0], quad[1], a), glm::mix(quad[0], quad[1], b), glm::mix(quad[3], quad[2], b),
+								   glm::mix(quad[3], quad[2], a) }, cost });
 	}
 }
 
@@ -84,34 +79,51 @@ std::string reason_of(Reach reach) {
 } // namespace
 
 std::vector<glm::vec3> tile_faces(const City &city, const Tile &tile, float border, bool has_carriageways) {
-	std::vector<glm::vec3> triangles;
 	const std::vector<Ground> &all = city.layout.ground;
 	has_carriageways |= std::none_of(all.begin(), all.end(), [](const Ground &ground) { return ground.kind == GroundKind::Crossing; });
 	const glm::vec3 min = tile.min - glm::vec3(border), max = tile.max + glm::vec3(border);
+	std::vector<WalkablePiece> pieces;
 	for (const Ground &ground : all) {
 		if ((has_carriageways || !is_carriageway(ground.kind)) && is_near(ground.polygon, min, max)) {
-			add_fan(triangles, ground.polygon);
+			pieces.push_back({ ground.polygon });
 		}
 	}
 	for (size_t i = 0; i < city.lots.size(); ++i) {
 		if (is_near(city.layout.lots[i].polygon, min, max)) {
 			for (const std::vector<glm::vec3> &piece : city.lots[i].free_ground) {
-				add_fan(triangles, piece);
+				pieces.push_back({ piece });
 			}
 		}
+	}
+	std::vector<GroundPatch> patches;
+	std::copy_if(city.patches.begin(), city.patches.end(), std::back_inserter(patches),
+			[&](const GroundPatch &patch) { return is_near(patch.outline, min, max); });
+	apply_patches(pieces, patches, 1.0f);
+	std::vector<glm::vec3> triangles;
+	for (const WalkablePiece &piece : pieces) {
+		add_fan(triangles, piece.polygon);
 	}
 	return triangles;
 }
 
 NavRegion city_nav_region(const City &city, const GroundCosts &costs) {
-	NavRegion region;
+	std::vector<WalkablePiece> pieces;
 	for (const Ground &ground : city.layout.ground) {
-		add_ground(region, ground.polygon, cost_of(ground.kind, costs));
+		add_ground(pieces, ground.polygon, cost_of(ground.kind, costs));
 	}
 	for (const LotBuild &lot : city.lots) {
 		for (const std::vector<glm::vec3> &piece : lot.free_ground) {
-			add_polygon(region, piece, costs.lot);
+			pieces.push_back({ piece, costs.lot });
 		}
+	}
+	apply_patches(pieces, city.patches, costs.lot);
+	NavRegion region;
+	for (const WalkablePiece &piece : pieces) {
+		std::vector<uint32_t> indices(piece.polygon.size());
+		std::iota(indices.begin(), indices.end(), uint32_t(region.vertices.size()));
+		region.vertices.insert(region.vertices.end(), piece.polygon.begin(), piece.polygon.end());
+		region.polygons.push_back(std::move(indices));
+		region.costs.push_back(piece.cost);
 	}
 	return region;
 }

@@ -37,6 +37,12 @@ template <typename Id> const std::vector<Id> &list_of(const std::vector<std::vec
 	return index_of(type) < lists.size() ? lists[index_of(type)] : none;
 }
 
+void give_place(CityObject &object) {
+	if (object.places.empty()) {
+		object.places.push_back({ object.position, { 0.0f, 0.0f, 1.0f } });
+	}
+}
+
 template <typename Id, typename Record> bool is_present(const std::vector<Record> &records, Id id) {
 	return index_of(id) < records.size() && !records[index_of(id)].is_removed;
 }
@@ -71,9 +77,7 @@ ZoneId CityModel::add_zone(Zone zone) {
 ObjectId CityModel::add_object(CityObject object) {
 	++_revision;
 	const ObjectId id = ObjectId(_objects.size());
-	if (object.places.empty()) {
-		object.places.push_back({ object.position, { 0.0f, 0.0f, 1.0f } });
-	}
+	give_place(object);
 	insert_sorted(_objects_of_type, object.type, id);
 	_objects.push_back(std::move(object));
 	return id;
@@ -144,6 +148,62 @@ void CityModel::remove_building(BuildingId id) {
 		remove_entrance(entrance);
 	}
 	_buildings[index_of(id)].is_removed = true;
+}
+
+void CityModel::put_building(BuildingId id, LotId lot) {
+	if (index_of(id) < _buildings.size()) {
+		++_revision;
+		_buildings[index_of(id)].lot = lot;
+		_buildings[index_of(id)].is_removed = false;
+	}
+}
+
+void CityModel::put_entrance(EntranceId id, Entrance entrance) {
+	if (index_of(id) >= _entrances.size()) {
+		return;
+	}
+	assert(is_present(_buildings, entrance.building));
+	remove_entrance(id);
+	++_revision;
+	entrance.is_removed = false;
+	_buildings[index_of(entrance.building)].entrances.push_back(id);
+	_entrances[index_of(id)] = entrance;
+	index_building(entrance.building, entrance.type);
+}
+
+void CityModel::put_zone(ZoneId id, Zone zone) {
+	if (index_of(id) >= _zones.size()) {
+		return;
+	}
+	remove_zone(id);
+	++_revision;
+	zone.is_removed = false;
+	insert_sorted(_zones_of_type, zone.type, id);
+	_zones[index_of(id)] = std::move(zone);
+}
+
+void CityModel::put_object(ObjectId id, CityObject object) {
+	if (index_of(id) >= _objects.size()) {
+		return;
+	}
+	remove_object(id);
+	++_revision;
+	object.is_removed = false;
+	give_place(object);
+	insert_sorted(_objects_of_type, object.type, id);
+	_objects[index_of(id)] = std::move(object);
+}
+
+void CityModel::reserve_ids(size_t buildings, size_t entrances, size_t zones, size_t objects) {
+	++_revision;
+	Entrance entrance;
+	Zone zone;
+	CityObject object;
+	entrance.is_removed = zone.is_removed = object.is_removed = true;
+	_buildings.resize(std::max(_buildings.size(), buildings), { LotId::Invalid, {}, true });
+	_entrances.resize(std::max(_entrances.size(), entrances), entrance);
+	_zones.resize(std::max(_zones.size(), zones), zone);
+	_objects.resize(std::max(_objects.size(), objects), object);
 }
 
 const std::vector<BuildingId> &CityModel::buildings_of_type(TypeId type) const {

@@ -87,6 +87,13 @@ public:
 	void remove_zone(ZoneId id);
 	void remove_object(ObjectId id);
 	void remove_building(BuildingId id); // and its entrances
+	// Replaces all that the record says, or brings it back if it is removed.
+	void put_building(BuildingId id, LotId lot);
+	void put_entrance(EntranceId id, Entrance entrance); // of an existing building
+	void put_zone(ZoneId id, Zone zone);
+	void put_object(ObjectId id, CityObject object);
+	// Sees that so many ids exist; new ones name removed records, which put_..() may fill: so a city is read back under the ids that it had.
+	void reserve_ids(size_t buildings, size_t entrances, size_t zones, size_t objects);
 	uint64_t revision() const { return _revision; }
 
 	const std::vector<Building> &buildings() const { return _buildings; }

@@ -22,14 +22,6 @@ namespace pcg {
 
 namespace {
 
-glm::vec3 middle_of(const std::vector<glm::vec3> &polygon) {
-	glm::vec3 sum(0.0f);
-	for (const glm::vec3 &point : polygon) {
-		sum += point;
-	}
-	return polygon.empty() ? sum : sum / float(polygon.size());
-}
-
 PackedVector3Array moved(const std::vector<glm::vec3> &polygon, glm::vec3 origin) {
 	std::vector<glm::vec3> points = polygon;
 	for (glm::vec3 &point : points) {
@@ -47,9 +39,17 @@ Transform3D to_frame(const glm::mat4 &matrix) {
 
 } // namespace
 
+glm::vec3 middle_of(const std::vector<glm::vec3> &polygon) {
+	glm::vec3 sum(0.0f);
+	for (const glm::vec3 &point : polygon) {
+		sum += point;
+	}
+	return polygon.empty() ? sum : sum / float(polygon.size());
+}
+
 CityBuilder::CityBuilder(Node3D *root, const City &city) : _root(root), _city(city) {
-	// A city that is the scene's own root owns its parts; one that no scene holds (made by a script) leaves them without an owner.
-	_owner = root->get_owner() ? root->get_owner() : (root->get_scene_file_path().is_empty() ? nullptr : root);
+	// Its parts are saved with the scene that the city is of, or with the city where it is a scene of its own.
+	_owner = root->get_owner() ? root->get_owner() : root;
 }
 
 void CityBuilder::clear(Node3D *root) {
@@ -79,11 +79,13 @@ void CityBuilder::add_geometry(Node *parent, const Mesh &mesh, const std::vector
 	MeshInstance3D *instance = memnew(MeshInstance3D);
 	instance->set_mesh(surfaces);
 	instance->set_position(position);
+	instance->add_to_group(group, true);
 	add(parent, instance, name);
 }
 
 void CityBuilder::add_instances(Node *parent, const LotBuild &build, int32_t object, Vector3 position) {
 	for (MultiMeshInstance3D *node : _instances.make(build.model, object, position)) {
+		node->add_to_group(group, true);
 		add(parent, node, "Instances");
 	}
 }
@@ -108,23 +110,52 @@ void CityBuilder::build_block(BlockId id) {
 }
 
 void CityBuilder::add_region(uint32_t tile, const Ref<NavigationMesh> &mesh) {
+	const String name = "Tile" + String::num_int64(tile);
+	Node *parent = _root->get_node_or_null(NodePath("Navigation"));
+	NavigationRegion3D *region = parent ? Object::cast_to<NavigationRegion3D>(parent->get_node_or_null(NodePath(name))) : nullptr;
+	if (region != nullptr) {
+		region->set_navigation_mesh(mesh);
+		return;
+	}
 	if (mesh.is_null() || mesh->get_polygon_count() == 0) {
 		return;
 	}
-	Node *parent = _root->get_node_or_null(NodePath("Navigation"));
 	if (parent == nullptr) {
 		parent = memnew(Node3D);
 		parent->add_to_group(group, true);
 		add(_root, parent, "Navigation");
 	}
-	NavigationRegion3D *region = memnew(NavigationRegion3D);
+	region = memnew(NavigationRegion3D);
 	region->set_navigation_mesh(mesh);
-	add(parent, region, "Tile" + String::num_int64(tile));
+	add(parent, region, name);
+}
+
+std::vector<const Node *> CityBuilder::clear_lot(PCGLot *node, LotId id) {
+	const LotBuild &build = _city.lots[index_of(id)];
+	const auto is_in = [](const auto &ids, int number) {
+		return std::ranges::any_of(ids, [&](auto one) { return int(index_of(one)) == number; });
+	};
+	std::vector<const Node *> removed;
+	for (int i = node->get_child_count() - 1; i >= 0; --i) {
+		Node *child = node->get_child(i);
+		const PCGEntrance *entrance = Object::cast_to<PCGEntrance>(child);
+		const PCGZone *zone = Object::cast_to<PCGZone>(child);
+		const PCGObject *object = Object::cast_to<PCGObject>(child);
+		const bool has_meaning = (entrance && is_in(build.entrances, entrance->get_entrance_id())) ||
+				(zone && is_in(build.zones, zone->get_zone_id())) || (object && is_in(build.objects, object->get_object_id()));
+		if (has_meaning || child->is_in_group(group)) {
+			if (has_meaning) {
+				removed.push_back(child);
+			}
+			node->remove_child(child);
+			child->queue_free();
+		}
+	}
+	return removed;
 }
 
 void CityBuilder::build_lot(Node3D *parent, LotId id) {
 	const Lot &lot = _city.layout.lot(id);
-	const LotBuild &build = _city.lots[index_of(id)];
 	const glm::vec3 origin = middle_of(lot.polygon);
 	PCGLot *node = memnew(PCGLot);
 	node->set_lot_id(int(index_of(id)));
@@ -134,14 +165,20 @@ void CityBuilder::build_lot(Node3D *parent, LotId id) {
 	node->set_position(to_godot(origin));
 	node->add_to_group("pcg_lots", true);
 	add(parent, node, "Lot" + String::num_int64(index_of(id)));
-	add_geometry(node, build.model.mesh, build.model.materials, "Geometry", to_godot(-origin));
-	add_instances(node, build, -1, to_godot(-origin));
-	build_entrances(node, build);
-	build_zones(node, build);
-	build_objects(node, build);
+	fill_lot(node, id);
 }
 
-void CityBuilder::build_entrances(Node3D *lot, const LotBuild &build) {
+void CityBuilder::fill_lot(PCGLot *node, LotId id) {
+	const LotBuild &build = _city.lots[index_of(id)];
+	const Vector3 origin = to_godot(middle_of(_city.layout.lot(id).polygon));
+	add_geometry(node, build.model.mesh, build.model.materials, "Geometry", -origin);
+	add_instances(node, build, -1, -origin);
+	build_entrances(node, build, origin);
+	build_zones(node, build, origin);
+	build_objects(node, build, origin);
+}
+
+void CityBuilder::build_entrances(Node3D *lot, const LotBuild &build, Vector3 origin) {
 	for (const EntranceId id : build.entrances) {
 		const Entrance &entrance = _city.model.entrance(id);
 		PCGEntrance *node = memnew(PCGEntrance);
@@ -149,39 +186,28 @@ void CityBuilder::build_entrances(Node3D *lot, const LotBuild &build) {
 		node->set_capacity(int(entrance.capacity));
 		node->set_building_id(int(index_of(entrance.building)));
 		node->set_entrance_id(int(index_of(id)));
-		node->set_transform(to_godot(entrance.position, entrance.facing).translated(-lot->get_position()));
+		node->set_transform(to_godot(entrance.position, entrance.facing).translated(-origin));
 		node->add_to_group("pcg_entrances", true);
 		add(lot, node, "Entrance" + String::num_int64(index_of(id)));
-		_entrances.resize(std::max(_entrances.size(), size_t(index_of(id)) + 1));
-		_entrances[index_of(id)] = node->get_instance_id();
 	}
 }
 
-void CityBuilder::mark_unreachable(std::span<const Reach> verdicts) {
-	for (size_t i = 0; i < std::min(verdicts.size(), _entrances.size()); ++i) {
-		PCGEntrance *node = Object::cast_to<PCGEntrance>(ObjectDB::get_instance(_entrances[i]));
-		if (node && (verdicts[i] == Reach::OffMesh || verdicts[i] == Reach::Island)) {
-			node->set_reachable(false);
-		}
-	}
-}
-
-void CityBuilder::build_zones(Node3D *lot, const LotBuild &build) {
+void CityBuilder::build_zones(Node3D *lot, const LotBuild &build, Vector3 origin) {
 	for (const ZoneId id : build.zones) {
 		const Zone &zone = _city.model.zone(id);
-		const glm::vec3 origin = centroid(zone);
+		const glm::vec3 middle = centroid(zone);
 		PCGZone *node = memnew(PCGZone);
 		node->set_type(to_godot(_city.model.types.name(zone.type)));
-		node->set_polygon(moved(zone.polygon, origin));
+		node->set_polygon(moved(zone.polygon, middle));
 		node->set_height(zone.height);
 		node->set_zone_id(int(index_of(id)));
-		node->set_position(to_godot(origin) - lot->get_position());
+		node->set_position(to_godot(middle) - origin);
 		node->add_to_group("pcg_zones", true);
 		add(lot, node, "Zone" + String::num_int64(index_of(id)));
 	}
 }
 
-void CityBuilder::build_objects(Node3D *lot, const LotBuild &build) {
+void CityBuilder::build_objects(Node3D *lot, const LotBuild &build, Vector3 origin) {
 	for (size_t i = 0; i < build.objects.size(); ++i) {
 		const CityObject &object = _city.model.object(build.objects[i]);
 		const Transform3D frame = to_frame(build.model.objects[i].frame);
@@ -193,7 +219,7 @@ void CityBuilder::build_objects(Node3D *lot, const LotBuild &build) {
 			places.push_back(frame.affine_inverse() * to_godot(place.position, place.facing));
 		}
 		node->set_places(places);
-		node->set_transform(frame.translated(-lot->get_position()));
+		node->set_transform(frame.translated(-origin));
 		node->add_to_group("pcg_objects", true);
 		add(lot, node, "Object" + String::num_int64(index_of(build.objects[i])));
 		add_geometry(node, build.model.objects[i].mesh, build.model.materials, "Geometry");

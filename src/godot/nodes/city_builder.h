@@ -1,19 +1,21 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include <godot_cpp/classes/navigation_mesh.hpp>
 #include <godot_cpp/classes/node3d.hpp>
 #include <godot_cpp/classes/ref.hpp>
-#include <godot_cpp/core/object_id.hpp>
 
 #include "core/city/city.h"
-#include "core/navigation/reachability.h"
 #include "godot/city_materials.h"
 #include "godot/nodes/city_instances.h"
 
 namespace pcg {
+
+class PCGLot;
+
+// The middle of a lot's corners: where its node stands.
+glm::vec3 middle_of(const std::vector<glm::vec3> &polygon);
 
 // Puts a city into the scene: below `root` the streets, a node for each block with its lots, their geometry and a node for each entrance, zone
 // and object, and one with the regions for walking, tile by tile.
@@ -23,9 +25,10 @@ public:
 
 	void build_streets();
 	void build_block(BlockId block);
-	// Tells the entrances' nodes which of them nobody can walk to; by EntranceId.
-	void mark_unreachable(std::span<const Reach> verdicts);
 	void add_region(uint32_t tile, const godot::Ref<godot::NavigationMesh> &mesh);
+	// Of a lot's node: takes away all that generation made, and makes it of what the city says now. What was put there by hand stays.
+	std::vector<const godot::Node *> clear_lot(PCGLot *node, LotId lot); // what has meaning among it
+	void fill_lot(PCGLot *node, LotId lot);
 	// Removes whatever an earlier builder made.
 	static void clear(godot::Node3D *root);
 
@@ -40,16 +43,15 @@ private:
 	// Of one of the lot's objects, or of the lot itself (-1).
 	void add_instances(godot::Node *parent, const LotBuild &build, int32_t object, godot::Vector3 position = {});
 	void build_lot(godot::Node3D *parent, LotId lot);
-	void build_entrances(godot::Node3D *lot, const LotBuild &build);
-	void build_zones(godot::Node3D *lot, const LotBuild &build);
-	void build_objects(godot::Node3D *lot, const LotBuild &build);
+	void build_entrances(godot::Node3D *lot, const LotBuild &build, godot::Vector3 origin);
+	void build_zones(godot::Node3D *lot, const LotBuild &build, godot::Vector3 origin);
+	void build_objects(godot::Node3D *lot, const LotBuild &build, godot::Vector3 origin);
 
 	godot::Node3D *_root;
 	const City &_city;
 	godot::Node *_owner; // of everything that is made, so that it is saved with the scene
 	CityMaterials _materials;
 	CityInstances _instances{ _materials };
-	std::vector<godot::ObjectID> _entrances; // nodes by EntranceId; somebody else may free them meanwhile
 };
 
 } // namespace pcg

@@ -2,23 +2,26 @@
 
 #include "core/city/walkable.h"
 #include "core/io/file_assets.h"
-#include "core/navigation/nav_mesh_paths.h"
 #include "godot/ports/engine_tree.h"
 #include "godot/ports/imported_assets.h"
 
 namespace pcg {
+
+CityOptions CityJob::options() {
+	_assets = std::make_unique<FileAssets>(_input.asset_folders, std::make_shared<EngineTree>(), std::make_shared<ImportedAssets>(main));
+	CityOptions options;
+	options.derive.assets = _assets.get();
+	options.work.cancel = &is_cancelled;
+	options.work.progress = [this](size_t done, size_t total) { progress = float(done) / float(total); };
+	return options;
+}
 
 bool CityJob::grow() {
 	std::optional<Layout> layout = make_layout(_input.layout, diagnostics);
 	if (!layout) {
 		return false;
 	}
-	const FileAssets assets(_input.asset_folders, std::make_shared<EngineTree>(), std::make_shared<ImportedAssets>(main));
-	CityOptions options;
-	options.derive.assets = &assets;
-	options.work.cancel = &is_cancelled;
-	options.work.progress = [this](size_t done, size_t total) { progress = float(done) / float(total); };
-	std::optional<City> city = generate_city(std::move(*layout), _input.rules, options, diagnostics);
+	std::optional<City> city = generate_city(std::move(*layout), _input.rules, options(), diagnostics);
 	if (!city) {
 		return false;
 	}
@@ -27,8 +30,17 @@ bool CityJob::grow() {
 	return true;
 }
 
+bool CityJob::grow_again(const std::vector<LotId> &lots) {
+	const CityOptions how = options();
+	bool is_good = true;
+	for (const LotId lot : lots) {
+		is_good = regenerate_lot(state->city, lot, _input.rules, how, diagnostics) && is_good;
+	}
+	return is_good;
+}
+
 bool CityJob::join() {
-	state->ground = NavMesh::build(regions);
+	state->ground = NavMesh::build(state->regions);
 	progress = 0.5f;
 	reach = reach_of_entrances(state->city.model, state->ground);
 	report_unreachable(state->city, reach, diagnostics);

@@ -7,18 +7,20 @@
 #include "core/base/diagnostic.h"
 #include "core/city/city.h"
 #include "core/city/city_generator.h"
+#include "core/io/file_assets.h"
 #include "core/navigation/nav_mesh.h"
+#include "core/navigation/nav_mesh_paths.h"
 #include "core/navigation/reachability.h"
-#include "core/ports/path_provider.h"
 #include "godot/main_thread.h"
 
 namespace pcg {
 
-// A finished city with its ways. Read-only once it is shared.
+// A finished city with its ways. Once it is shared only its own PCGCity writes to it, on the main thread.
 struct CityState {
 	City city;
+	std::vector<NavRegion> regions; // by tile: of what `ground` was joined
 	NavMesh ground;
-	std::unique_ptr<PathProvider> paths; // on `ground`, between the entrances of `city`
+	std::unique_ptr<NavMeshPaths> paths; // on `ground`, between the entrances of `city`
 };
 
 struct CityInput {
@@ -31,11 +33,14 @@ struct CityInput {
 class CityJob {
 public:
 	explicit CityJob(CityInput input) : _input(std::move(input)) {}
+	const CityInput &input() const { return _input; }
 
 	// Layout and lots. Meanwhile the main thread runs what waits for it. False after an error or a cancellation.
 	bool grow();
-	// Makes the baked regions one walkable ground and learns its distances.
+	// Makes the state's regions one walkable ground and learns its distances.
 	bool join();
+	// Builds lots of `state` anew. Meanwhile as in grow().
+	bool grow_again(const std::vector<LotId> &lots);
 
 	const std::shared_ptr<MainThread> main = std::make_shared<MainThread>();
 	std::atomic<bool> is_cancelled{ false };
@@ -43,11 +48,13 @@ public:
 	bool has_succeeded = false; // of the last call; read after it has ended
 	Diagnostics diagnostics;
 	std::vector<Reach> reach; // by EntranceId; of join()
-	std::vector<NavRegion> regions; // by tile; for join()
 	std::shared_ptr<CityState> state;
 
 private:
+	CityOptions options();
+
 	CityInput _input;
+	std::unique_ptr<FileAssets> _assets; // of the running call
 };
 
 } // namespace pcg

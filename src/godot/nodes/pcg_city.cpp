@@ -3,9 +3,7 @@
 #include <thread>
 
 #include <godot_cpp/classes/engine.hpp>
-#include <godot_cpp/classes/navigation_server3d.hpp>
 #include <godot_cpp/classes/worker_thread_pool.hpp>
-#include <godot_cpp/classes/world3d.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
@@ -45,13 +43,18 @@ void PCGCity::set_agent_radius(double p_metres) {
 
 void PCGCity::_ready() {
 	set_process(is_generating()); // the engine has just switched it on
+	if (!_state && !is_generating() && !_saved.is_empty() && load_saved()) {
+		return;
+	}
 	if (_generate_on_ready && !Engine::get_singleton()->is_editor_hint()) {
 		generate();
 	}
 }
 
 void PCGCity::_notification(int p_what) {
-	if (p_what == NOTIFICATION_EXIT_TREE && is_generating()) {
+	if (p_what == NOTIFICATION_ENTER_TREE) {
+		add_to_group(group);
+	} else if (p_what == NOTIFICATION_EXIT_TREE && is_generating()) {
 		end(false);
 	}
 }
@@ -64,6 +67,10 @@ bool PCGCity::prepare_job(CityInput &input, Diagnostics &diagnostics) const {
 	}
 	input.layout.seed = uint64_t(_seed);
 	input.layout.land_use.clear();
+	return prepare_rules(input, diagnostics);
+}
+
+bool PCGCity::prepare_rules(CityInput &input, Diagnostics &diagnostics) const {
 	input.asset_folders = from_godot(_asset_folders);
 	if (_lot_types.is_empty()) {
 		diagnostics.error("missing-lot-types", "PCGCity has no lot types",
@@ -150,7 +157,11 @@ void PCGCity::clear() {
 
 // Nothing is left of the city that was there, and whoever lived in it is told.
 void PCGCity::tear_down() {
+	_ground.reset();
 	CityBuilder::clear(this);
+	_edits.follow(nullptr);
+	_state_in_scene.reset();
+	_saved.clear();
 	if (_state) {
 		_state.reset();
 		emit_signal("city_cleared");
@@ -172,20 +183,18 @@ void PCGCity::stop() {
 		_job->main->close();
 	}
 	wait_for_task();
-	while (_baker && _stage == Stage::Baking && _next_tile < _baker->tile_count()) {
-		// The engine's threads still write to what the baker owns; they are done within milliseconds.
-		_next_tile += _baker->is_baking(_next_tile) ? 0 : 1;
-	}
-	_baker.reset();
+	_baker.reset(); // what the engine still bakes is its own to finish
 	_builder.reset();
 	_job.reset();
 	_stage = Stage::Idle;
-	set_process(false);
+	set_process(_ground != nullptr && !_ground->is_idle());
 }
 
 void PCGCity::_process(double) {
 	if (is_generating()) {
 		go_on();
+	} else if (_ground) {
+		go_on_with_ground();
 	}
 }
 
@@ -241,6 +250,9 @@ void PCGCity::begin_building() {
 	_stage = Stage::Building;
 	_next_block = 0;
 	tear_down();
+	_state_in_scene = _job->state;
+	_edits.follow(_state_in_scene);
+	_edits.forget_ids();
 	_builder = std::make_unique<CityBuilder>(this, _job->state->city);
 	_builder->build_streets();
 }
@@ -258,14 +270,10 @@ void PCGCity::build_next_block() {
 
 void PCGCity::begin_baking() {
 	_stage = Stage::Baking;
-	NavigationServer3D *server = NavigationServer3D::get_singleton();
-	const RID map = get_world_3d()->get_navigation_map();
-	BakeSettings settings;
-	settings.cell_size = float(server->map_get_cell_size(map));
-	settings.cell_height = float(server->map_get_cell_height(map));
-	settings.agent_radius = float(_agent_radius);
-	_baker = std::make_unique<TileBaker>(_job->state->city, settings);
-	_job->regions.resize(_baker->tile_count());
+	update_model();
+	_ground = std::make_unique<CityGround>(_job->state, bake_settings(), _edits.patches());
+	_baker = std::make_unique<TileBaker>(_job->state->city, bake_settings());
+	_job->state->regions.resize(_baker->tile_count());
 	for (size_t i = 0; i < _baker->tile_count(); ++i) {
 		_baker->bake(uint32_t(i), _is_async);
 	}
@@ -276,12 +284,13 @@ void PCGCity::collect_baked() {
 	while (_next_tile < _baker->tile_count() && !_baker->is_baking(_next_tile)) {
 		const Ref<NavigationMesh> mesh = _baker->finish(_next_tile);
 		_builder->add_region(_next_tile, mesh);
-		_job->regions[_next_tile++] = from_godot(mesh);
+		_job->state->regions[_next_tile++] = from_godot(mesh);
 	}
 	tell_progress(double(_next_tile) / double(std::max<size_t>(1, _baker->tile_count())));
 	if (_next_tile == _baker->tile_count()) {
 		note_seconds("navigation");
 		_baker.reset();
+		update_model(); // the model is read from now on
 		start_task(Stage::Joining);
 	}
 }
@@ -290,9 +299,11 @@ void PCGCity::finish() {
 	note_seconds("distances");
 	_diagnostics.append(_job->diagnostics);
 	_state = _job->state;
-	_builder->mark_unreachable(_job->reach);
+	_edits.mark_reach(_job->reach);
 	report(_diagnostics);
 	end(!_diagnostics.has_errors());
+	adopt_lost_nodes();
+	update_model();
 }
 
 void PCGCity::fail() {

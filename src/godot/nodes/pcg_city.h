@@ -6,6 +6,7 @@
 #include <godot_cpp/classes/node3d.hpp>
 #include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
+#include <godot_cpp/variant/packed_byte_array.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 #include <godot_cpp/variant/string.hpp>
@@ -13,6 +14,8 @@
 
 #include "core/base/diagnostic.h"
 #include "godot/nodes/city_builder.h"
+#include "godot/nodes/city_edits.h"
+#include "godot/nodes/city_ground.h"
 #include "godot/nodes/city_job.h"
 #include "godot/ports/tile_baker.h"
 #include "godot/resources/pcg_layout.h"
@@ -51,6 +54,16 @@ public:
 	bool is_generating() const { return _stage != Stage::Idle; }
 	bool is_generated() const { return _state != nullptr; }
 
+	// pcg_city_edits.cpp: what happens to the city's nodes after it has been made.
+	void note_edit(const godot::Node3D *p_node);
+	void update_model();
+	bool is_updating_navigation() const { return _ground && !_ground->is_idle(); }
+	bool has_ground_at(const godot::Vector3 &p_point) const;
+	bool regenerate_lot(int p_lot);
+	bool regenerate_block(int p_block);
+	void set_saved_city(const godot::PackedByteArray &p_bytes) { _saved = p_bytes; }
+	godot::PackedByteArray get_saved_city() const;
+
 	godot::TypedArray<godot::Dictionary> get_diagnostics() const;
 	godot::Dictionary get_statistics() const;
 	godot::PackedVector3Array find_path(const godot::Vector3 &p_from, const godot::Vector3 &p_to) const;
@@ -59,7 +72,9 @@ public:
 	godot::Error save_gltf(const godot::String &p_path) const;
 
 	// Null before the first generation. Whoever simulates keeps a share, so that a new generation does not pull the ground from under it.
-	const std::shared_ptr<const CityState> &state() const { return _state; }
+	std::shared_ptr<const CityState> state() const { return _state; }
+
+	static constexpr const char *group = "pcg_cities"; // all cities in the tree
 
 	void _ready() override;
 	void _process(double p_delta) override;
@@ -76,6 +91,15 @@ private:
 
 	bool begin(bool is_async);
 	bool prepare_job(CityInput &input, Diagnostics &diagnostics) const;
+	bool prepare_rules(CityInput &input, Diagnostics &diagnostics) const;
+	bool load_saved();
+	void read_regions(CityState &state) const;
+	BakeSettings bake_settings() const;
+	void adopt_lost_nodes();
+	bool can_edit() const { return _stage != Stage::Joining && _state_in_scene != nullptr; }
+	void take_in_edits();
+	void go_on_with_ground();
+	bool regenerate(const std::vector<LotId> &lots);
 	void go_on();
 	void start_task(Stage stage);
 	void run_task();
@@ -112,7 +136,12 @@ private:
 	std::chrono::steady_clock::time_point _stage_start;
 	godot::Dictionary _seconds; // by stage, of the last generation
 	Diagnostics _diagnostics;
-	std::shared_ptr<const CityState> _state;
+	std::shared_ptr<CityState> _state; // of a finished city
+	std::shared_ptr<CityState> _state_in_scene; // what nodes are there for; before it is finished, too
+	CityEdits _edits{ this };
+	std::unique_ptr<CityGround> _ground; // from the first baking on
+	bool _is_update_queued = false;
+	mutable godot::PackedByteArray _saved; // made when it is asked for; empty: to be made
 };
 
 } // namespace pcg

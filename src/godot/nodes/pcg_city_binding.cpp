@@ -26,6 +26,10 @@ void PCGCity::bind_properties() {
 	const String array_of_folders = vformat("%d/%d:", int(Variant::STRING), int(PROPERTY_HINT_DIR));
 	ADD_PROPERTY(PropertyInfo(Variant::PACKED_STRING_ARRAY, "asset_folders", PROPERTY_HINT_TYPE_STRING, array_of_folders), "set_asset_folders",
 			"get_asset_folders");
+	ClassDB::bind_method(D_METHOD("set_saved_city", "bytes"), &PCGCity::set_saved_city);
+	ClassDB::bind_method(D_METHOD("get_saved_city"), &PCGCity::get_saved_city);
+	ADD_PROPERTY(PropertyInfo(Variant::PACKED_BYTE_ARRAY, "saved_city", PROPERTY_HINT_NONE, "", PROPERTY_USAGE_STORAGE), "set_saved_city",
+			"get_saved_city");
 	ADD_GROUP("Navigation", "");
 	ClassDB::bind_method(D_METHOD("set_agent_radius", "metres"), &PCGCity::set_agent_radius);
 	ClassDB::bind_method(D_METHOD("get_agent_radius"), &PCGCity::get_agent_radius);
@@ -46,12 +50,18 @@ void PCGCity::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_building_count"), &PCGCity::get_building_count);
 	ClassDB::bind_method(D_METHOD("find_path", "from", "to"), &PCGCity::find_path);
 	ClassDB::bind_method(D_METHOD("get_distance", "building", "other"), &PCGCity::get_distance);
+	ClassDB::bind_method(D_METHOD("update_model"), &PCGCity::update_model);
+	ClassDB::bind_method(D_METHOD("is_updating_navigation"), &PCGCity::is_updating_navigation);
+	ClassDB::bind_method(D_METHOD("regenerate_lot", "lot"), &PCGCity::regenerate_lot);
+	ClassDB::bind_method(D_METHOD("regenerate_block", "block"), &PCGCity::regenerate_block);
 	ClassDB::bind_method(D_METHOD("save_gltf", "path"), &PCGCity::save_gltf);
 
 	ADD_SIGNAL(MethodInfo("generation_started"));
 	ADD_SIGNAL(MethodInfo("generation_progressed", PropertyInfo(Variant::STRING, "stage"), PropertyInfo(Variant::FLOAT, "fraction")));
 	ADD_SIGNAL(MethodInfo("city_generated", PropertyInfo(Variant::BOOL, "success")));
 	ADD_SIGNAL(MethodInfo("city_cleared"));
+	ADD_SIGNAL(MethodInfo("city_edited"));
+	ADD_SIGNAL(MethodInfo("navigation_updated"));
 }
 
 } // namespace pcg

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <limits>
 
 #include <godot_cpp/classes/project_settings.hpp>
@@ -39,6 +40,9 @@ Dictionary PCGCity::get_statistics() const {
 	}
 	Dictionary entrances;
 	for (const Entrance &entrance : city.model.entrances()) {
+		if (entrance.is_removed) {
+			continue;
+		}
 		const String type = to_godot(city.model.types.name(entrance.type));
 		entrances[type] = int64_t(entrances.get(type, 0)) + 1;
 	}
@@ -46,10 +50,11 @@ Dictionary PCGCity::get_statistics() const {
 	result["lots"] = int64_t(city.layout.lots.size());
 	result["faces"] = faces;
 	result["instances"] = instances;
-	result["buildings"] = int64_t(city.model.buildings().size());
+	const auto is_there = [](const auto &record) { return !record.is_removed; };
+	result["buildings"] = int64_t(std::ranges::count_if(city.model.buildings(), is_there));
 	result["entrances"] = entrances;
-	result["zones"] = int64_t(city.model.zones().size());
-	result["objects"] = int64_t(city.model.objects().size());
+	result["zones"] = int64_t(std::ranges::count_if(city.model.zones(), is_there));
+	result["objects"] = int64_t(std::ranges::count_if(city.model.objects(), is_there));
 	result["seconds"] = _seconds;
 	return result;
 }

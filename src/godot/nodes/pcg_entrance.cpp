@@ -28,12 +28,19 @@ void PCGEntrance::_bind_methods() {
 
 void PCGEntrance::set_type(const String &p_type) {
 	_type = p_type;
+	_link.note_change(this);
 	update_configuration_warnings();
 }
 
 void PCGEntrance::set_capacity(int p_capacity) {
 	ERR_FAIL_COND_MSG(p_capacity < 0, "PCGEntrance: a capacity is 0 (not said) or more.");
 	_capacity = p_capacity;
+	_link.note_change(this);
+}
+
+void PCGEntrance::set_building_id(int p_id) {
+	_building_id = p_id;
+	_link.note_change(this);
 }
 
 void PCGEntrance::set_reachable(bool p_reachable) {
@@ -43,6 +50,9 @@ void PCGEntrance::set_reachable(bool p_reachable) {
 
 PackedStringArray PCGEntrance::_get_configuration_warnings() const {
 	PackedStringArray warnings;
+	if (is_in_group(CityLink::lost_group)) {
+		warnings.push_back("This node belongs to no city. Put it below a PCGCity, or where one has its ground.");
+	}
 	if (_type.is_empty()) {
 		warnings.push_back("This entrance has no type. Give it one that rules ask for, such as \"house\", \"school\" or \"workplace\".");
 	}

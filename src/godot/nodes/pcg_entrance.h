@@ -4,6 +4,8 @@
 #include <godot_cpp/variant/packed_string_array.hpp>
 #include <godot_cpp/variant/string.hpp>
 
+#include "godot/nodes/city_link.h"
+
 namespace pcg {
 
 // A typed door in the scene: stands before its threshold, local +z looks out of the building.
@@ -15,7 +17,7 @@ public:
 	godot::String get_type() const { return _type; }
 	void set_capacity(int p_capacity);
 	int get_capacity() const { return _capacity; }
-	void set_building_id(int p_id) { _building_id = p_id; }
+	void set_building_id(int p_id);
 	int get_building_id() const { return _building_id; }
 	void set_entrance_id(int p_id) { _entrance_id = p_id; }
 	int get_entrance_id() const { return _entrance_id; }
@@ -24,10 +26,19 @@ public:
 
 	godot::PackedStringArray _get_configuration_warnings() const override;
 
+	// Which records in the city's model are this door's, written by the city.
+	void bind(int p_entrance, int p_building) {
+		_entrance_id = p_entrance;
+		_building_id = p_building;
+	}
+	CityLink &link() { return _link; }
+
 protected:
 	static void _bind_methods();
+	void _notification(int p_what) { _link.notify(this, p_what); }
 
 private:
+	CityLink _link;
 	godot::String _type;
 	int _capacity = 0;
 	int _building_id = -1;

@@ -21,4 +21,9 @@ void PCGLot::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::PACKED_VECTOR3_ARRAY, "polygon"), "set_polygon", "get_polygon");
 }
 
+void PCGLot::set_lot_id(int p_id) {
+	_lot_id = p_id;
+	_link.note_change(this);
+}
+
 } // namespace pcg

@@ -4,6 +4,8 @@
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 #include <godot_cpp/variant/string.hpp>
 
+#include "godot/nodes/city_link.h"
+
 namespace pcg {
 
 // One lot of a city with what grew on it. Its geometry is the child "Geometry"; what has meaning are further children.
@@ -11,7 +13,7 @@ class PCGLot : public godot::Node3D {
 	GDCLASS(PCGLot, godot::Node3D)
 
 public:
-	void set_lot_id(int p_id) { _lot_id = p_id; }
+	void set_lot_id(int p_id);
 	int get_lot_id() const { return _lot_id; }
 	void set_block_id(int p_id) { _block_id = p_id; }
 	int get_block_id() const { return _block_id; }
@@ -20,10 +22,14 @@ public:
 	void set_polygon(const godot::PackedVector3Array &p_polygon) { _polygon = p_polygon; }
 	godot::PackedVector3Array get_polygon() const { return _polygon; }
 
+	CityLink &link() { return _link; }
+
 protected:
 	static void _bind_methods();
+	void _notification(int p_what) { _link.notify(this, p_what); }
 
 private:
+	CityLink _link;
 	int _lot_id = -1;
 	int _block_id = -1;
 	godot::String _type;

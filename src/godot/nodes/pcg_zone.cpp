@@ -29,17 +29,20 @@ void PCGZone::_bind_methods() {
 
 void PCGZone::set_type(const String &p_type) {
 	_type = p_type;
+	_link.note_change(this);
 	update_configuration_warnings();
 }
 
 void PCGZone::set_polygon(const PackedVector3Array &p_polygon) {
 	_polygon = p_polygon;
+	_link.note_change(this);
 	update_configuration_warnings();
 }
 
 void PCGZone::set_height(double p_height) {
 	ERR_FAIL_COND_MSG(!(p_height >= 0.0), "PCGZone: a height is 0 m or more.");
 	_height = p_height;
+	_link.note_change(this);
 }
 
 bool PCGZone::contains(const Vector3 &p_point) const {
@@ -52,6 +55,9 @@ bool PCGZone::contains(const Vector3 &p_point) const {
 
 PackedStringArray PCGZone::_get_configuration_warnings() const {
 	PackedStringArray warnings;
+	if (is_in_group(CityLink::lost_group)) {
+		warnings.push_back("This node belongs to no city. Put it below a PCGCity, or where one has its ground.");
+	}
 	if (_type.is_empty()) {
 		warnings.push_back("This zone has no type. Give it one that rules ask for, such as \"park\".");
 	}

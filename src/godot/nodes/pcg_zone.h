@@ -5,6 +5,8 @@
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 #include <godot_cpp/variant/string.hpp>
 
+#include "godot/nodes/city_link.h"
+
 namespace pcg {
 
 // A typed prism of interest in the scene. The outline is local to the node, which stands at the zone's centre of area.
@@ -25,10 +27,16 @@ public:
 
 	godot::PackedStringArray _get_configuration_warnings() const override;
 
+	// Which record in the city's model is this zone's, written by the city.
+	void bind(int p_zone) { _zone_id = p_zone; }
+	CityLink &link() { return _link; }
+
 protected:
 	static void _bind_methods();
+	void _notification(int p_what) { _link.notify(this, p_what); }
 
 private:
+	CityLink _link;
 	godot::String _type;
 	godot::PackedVector3Array _polygon;
 	double _height = 3.0;

@@ -59,6 +59,41 @@ TEST_CASE("a baker is given no ground where a building stands") {
 	CHECK(before - triangle_area(tile_faces(city, { city.layout.min, city.layout.max }, 2.0f)) == doctest::Approx(400.0));
 }
 
+TEST_CASE("a patch takes ground away and puts its own there, for a baker and for the mesh") {
+	City city = empty_city(layout_for_lots(4));
+	const Tile all = { city.layout.min, city.layout.max };
+	const double before = triangle_area(tile_faces(city, all, 2.0f));
+	const std::vector<glm::vec3> &lot = city.layout.lots[0].polygon; // 20 m by 20 m
+	const glm::vec3 middle = (lot[0] + lot[2]) / 2.0f, east(1, 0, 0), north(0, 0, -1);
+	const auto square = [&](float half) {
+		return std::vector<glm::vec3>{ middle - (east + north) * half, middle + (east - north) * half, middle + (east + north) * half,
+			middle + (north - east) * half };
+	};
+	// A monument of 6 m by 6 m with a yard of 2 m by 2 m in it, and an L of 3 * 4 m2 beside it.
+	city.patches = { { square(3.0f), { square(1.0f) } } };
+	const glm::vec3 corner = middle + east * 4.0f;
+	city.patches.push_back({ { corner, corner + east * 4.0f, corner + east * 4.0f + north * 2.0f, corner + east * 2.0f + north * 2.0f,
+									 corner + east * 2.0f + north * 4.0f, corner + north * 4.0f }, {} });
+	CHECK(before - triangle_area(tile_faces(city, all, 2.0f)) == doctest::Approx(36.0 - 4.0 + 12.0).epsilon(1e-4));
+	const NavMesh mesh = city_nav_mesh(city);
+	CHECK_FALSE(mesh.nearest(middle + east * 2.0f, 0.5f).is_on_mesh());
+	CHECK(mesh.nearest(middle, 0.1f).is_on_mesh());
+	CHECK_FALSE(mesh.nearest(corner + (east + north) * 1.0f, 0.5f).is_on_mesh());
+	CHECK(mesh.nearest(corner + (east + north) * 3.5f, 0.1f).is_on_mesh());
+	CHECK(mesh.component_count() == 2); // the yard is closed
+	CHECK(mesh.component_area(0) + mesh.component_area(1) == doctest::Approx(before - 44.0).epsilon(1e-4));
+}
+
+TEST_CASE("a later patch lies over an earlier one") {
+	City city = empty_city(layout_for_lots(1));
+	const std::vector<glm::vec3> lot = city.layout.lots[0].polygon;
+	const glm::vec3 middle = (lot[0] + lot[2]) / 2.0f;
+	city.patches = { { lot, {} }, { lot, { lot } } };
+	CHECK(city_nav_mesh(city).nearest(middle, 0.1f).is_on_mesh());
+	std::swap(city.patches[0], city.patches[1]);
+	CHECK_FALSE(city_nav_mesh(city).nearest(middle, 0.1f).is_on_mesh());
+}
+
 TEST_CASE("a tile of a large city is given its surroundings only") {
 	const City city = empty_city(layout_for_lots(300));
 	const Tile &tile = city.layout.tiles[7];

@@ -97,3 +97,42 @@ TEST_CASE("an object without places gets one where it stands, and places follow 
 	city.remove_object(plain);
 	CHECK(city.objects_of_type(bench.type).empty());
 }
+
+TEST_CASE("a record that is put under its id replaces the one that is there, or brings it back") {
+	CityModel city;
+	const BuildingId building = city.add_building(LotId(3)), other = city.add_building();
+	const EntranceId door = add_door(city, building, "house", 4);
+	const TypeId house = city.types.find("house"), shop = city.types.add("shop"), bench = city.types.add("bench");
+	city.put_entrance(door, { other, shop, { 1, 0, 2 }, { 1, 0, 0 }, 7, false });
+	CHECK(city.buildings_of_type(house).empty());
+	CHECK(city.buildings_of_type(shop) == std::vector<BuildingId>{ other });
+	CHECK(city.building(building).entrances.empty());
+	CHECK(city.capacity(other, shop) == 7);
+	const ObjectId object = city.add_object({ bench, { 5, 0, 5 }, {}, LotId::Invalid, false });
+	city.remove_object(object);
+	const uint64_t before = city.revision();
+	city.put_object(object, { bench, { 6, 0, 5 }, {}, LotId::Invalid, false });
+	CHECK(city.revision() > before);
+	CHECK(city.objects_of_type(bench) == std::vector<ObjectId>{ object });
+	CHECK(city.object(object).places[0].position == glm::vec3(6, 0, 5));
+	city.put_object(ObjectId(9), { bench, {}, {}, LotId::Invalid, false });
+	CHECK(city.objects().size() == 1);
+}
+
+TEST_CASE("reserved ids name removed records until something is put there") {
+	CityModel city;
+	const TypeId park = city.types.add("park"), house = city.types.add("house");
+	city.reserve_ids(2, 2, 3, 1);
+	CHECK(city.buildings().size() == 2);
+	CHECK(city.building(BuildingId(1)).is_removed);
+	CHECK(city.zones_of_type(park).empty());
+	city.put_building(BuildingId(1), LotId(5));
+	city.put_entrance(EntranceId(1), { BuildingId(1), house, {}, { 0, 0, 1 }, 2, false });
+	city.put_zone(ZoneId(2), { park, {}, 3.0f, LotId(5), false });
+	CHECK(city.buildings_of_type(house) == std::vector<BuildingId>{ BuildingId(1) });
+	CHECK(city.entrance_of(BuildingId(1)) == EntranceId(1));
+	CHECK(city.zones_of_type(park) == std::vector<ZoneId>{ ZoneId(2) });
+	CHECK(city.objects()[0].is_removed);
+	city.reserve_ids(1, 1, 1, 1);
+	CHECK(city.zones().size() == 3);
+}

@@ -1,0 +1,391 @@
+#include "godot/nodes/city_edits.h"
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
+#include <godot_cpp/core/object.hpp>
+
+#include "core/city/free_ground.h"
+#include "godot/convert.h"
+#include "godot/nodes/city_builder.h"
+#include "godot/nodes/city_link.h"
+#include "godot/nodes/pcg_city.h"
+#include "godot/nodes/pcg_entrance.h"
+#include "godot/nodes/pcg_lot.h"
+#include "godot/nodes/pcg_object.h"
+#include "godot/nodes/pcg_zone.h"
+
+using namespace godot;
+
+namespace pcg {
+
+namespace {
+
+constexpr float arm = 1e-3f; // metres; less is rounding between the frames of nodes
+enum PatchKind { Vacated, Moved, Obstacle };
+
+template <typename T> T *node_of(uint64_t object) { return Object::cast_to<T>(ObjectDB::get_instance(object)); }
+
+bool is_same(glm::vec3 a, glm::vec3 b) { return glm::distance(a, b) <= arm; }
+
+bool is_same(const std::vector<glm::vec3> &a, const std::vector<glm::vec3> &b) {
+	return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](glm::vec3 x, glm::vec3 y) { return is_same(x, y); });
+}
+
+bool is_same(const std::vector<Place> &a, const std::vector<Place> &b) {
+	return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+			[](const Place &x, const Place &y) { return is_same(x.position, y.position) && is_same(x.facing, y.facing); });
+}
+
+PCGLot *lot_above(const Node *node) {
+	for (Node *parent = node->get_parent(); parent != nullptr; parent = parent->get_parent()) {
+		if (PCGLot *lot = Object::cast_to<PCGLot>(parent)) {
+			return lot;
+		}
+	}
+	return nullptr;
+}
+
+LotId lot_id_above(const Node *node) {
+	const PCGLot *lot = lot_above(node);
+	return lot && lot->get_lot_id() >= 0 ? LotId(lot->get_lot_id()) : LotId::Invalid;
+}
+
+std::vector<glm::vec3> placed(const Transform3D &frame, const std::vector<glm::vec3> &polygon) {
+	std::vector<glm::vec3> result;
+	for (const glm::vec3 &corner : polygon) {
+		result.push_back(from_godot(frame.xform(to_godot(corner))));
+	}
+	if (frame.basis.determinant() < 0.0f) { // mirrored: the other way around again
+		std::reverse(result.begin(), result.end());
+	}
+	return result;
+}
+
+int saved_id(const Node *node) {
+	if (const PCGEntrance *entrance = Object::cast_to<PCGEntrance>(node)) {
+		return entrance->get_entrance_id();
+	}
+	if (const PCGZone *zone = Object::cast_to<PCGZone>(node)) {
+		return zone->get_zone_id();
+	}
+	const PCGObject *object = Object::cast_to<PCGObject>(node);
+	return object ? object->get_object_id() : -1;
+}
+
+} // namespace
+
+void CityEdits::follow(std::shared_ptr<CityState> state) {
+	for (const auto &[object, bond] : _bonds) {
+		_noted.push_back(object);
+	}
+	_state = std::move(state);
+	_bonds.clear();
+	_nodes = {};
+	_lots.clear();
+	_building_of_lot.clear();
+	_lot_of_building.clear();
+	_footprints.clear();
+}
+
+void CityEdits::forget_ids() {
+	for (const uint64_t object : _noted) {
+		Node3D *node = node_of<Node3D>(object);
+		if (!is_ours(node)) {
+			continue;
+		}
+		if (PCGEntrance *entrance = Object::cast_to<PCGEntrance>(node)) {
+			entrance->bind(-1, -1);
+		} else if (PCGZone *zone = Object::cast_to<PCGZone>(node)) {
+			zone->bind(-1);
+		} else if (PCGObject *thing = Object::cast_to<PCGObject>(node)) {
+			thing->bind(-1);
+		}
+	}
+}
+
+void CityEdits::restore_ids() {
+	constexpr int most = 1 << 24; // ids beyond that are not ours
+	std::array<size_t, kind_count> counts{};
+	size_t buildings = 0;
+	for (const uint64_t object : _noted) {
+		const Node *node = node_of<Node>(object);
+		const int id = node ? saved_id(node) : -1;
+		if (id < 0 || id >= most) {
+			continue;
+		}
+		const PCGEntrance *entrance = Object::cast_to<PCGEntrance>(node);
+		const Kind kind = entrance ? EntranceKind : Object::cast_to<PCGZone>(node) ? ZoneKind : ObjectKind;
+		counts[kind] = std::max(counts[kind], size_t(id) + 1);
+		if (entrance && entrance->get_building_id() >= 0 && entrance->get_building_id() < most) {
+			buildings = std::max(buildings, size_t(entrance->get_building_id()) + 1);
+		}
+	}
+	_state->city.model.reserve_ids(buildings, counts[EntranceKind], counts[ZoneKind], counts[ObjectKind]);
+}
+
+CityEdits::Changes CityEdits::take_in() {
+	std::vector<uint64_t> noted = std::move(_noted);
+	_noted.clear();
+	_changes = {};
+	if (!_state) {
+		return _changes;
+	}
+	const uint64_t revision = _state->city.model.revision();
+	std::unordered_set<uint64_t> done;
+	for (const uint64_t object : noted) { // those that left first: what comes in may be what went out elsewhere
+		if (!is_ours(node_of<Node3D>(object)) && done.insert(object).second) {
+			let_go(object);
+		}
+	}
+	for (const uint64_t object : noted) {
+		if (done.insert(object).second) {
+			take_in(object);
+		}
+	}
+	_changes.has_edits = _state->city.model.revision() != revision;
+	return _changes;
+}
+
+bool CityEdits::is_ours(Node3D *node) const {
+	const CityLink *link = node && node->is_inside_tree() ? CityLink::of(node) : nullptr;
+	return link && link->city() == _city;
+}
+
+void CityEdits::take_in(uint64_t object) {
+	Node3D *node = node_of<Node3D>(object);
+	if (PCGLot *lot = Object::cast_to<PCGLot>(node)) {
+		take_in_lot(lot);
+	} else if (PCGEntrance *entrance = Object::cast_to<PCGEntrance>(node)) {
+		take_in_entrance(entrance);
+	} else if (PCGZone *zone = Object::cast_to<PCGZone>(node)) {
+		take_in_zone(zone);
+	} else if (PCGObject *thing = Object::cast_to<PCGObject>(node)) {
+		take_in_object(thing);
+	}
+}
+
+void CityEdits::let_go(uint64_t object) {
+	_changes.has_new_ground |= _lots.erase(object) > 0;
+	set_footprint(object, {});
+	const auto found = _bonds.find(object);
+	if (found == _bonds.end()) {
+		return;
+	}
+	const auto [kind, id] = found->second;
+	_bonds.erase(found);
+	_nodes[kind][id] = 0;
+	CityModel &model = _state->city.model;
+	switch (kind) {
+		case EntranceKind: {
+			const BuildingId building = model.entrance(EntranceId(id)).building;
+			model.remove_entrance(EntranceId(id));
+			if (index_of(building) < model.buildings().size() && model.building(building).entrances.empty()) {
+				model.remove_building(building); // nobody gets in or out any more
+			}
+			_changes.has_new_doors = true;
+			break;
+		}
+		case ZoneKind: model.remove_zone(ZoneId(id)); break;
+		case ObjectKind: model.remove_object(ObjectId(id)); break;
+		case kind_count: break;
+	}
+}
+
+Transform3D CityEdits::frame_of(const Node3D *node) const {
+	return _city->get_global_transform().affine_inverse() * node->get_global_transform();
+}
+
+// The node's record under `kind`: the one that it has, else that of its own id if no other node has it, else a new one (Invalid).
+template <typename Id> Id CityEdits::take_id(const Node3D *node, Kind kind, int wanted, size_t count) {
+	const auto known = _bonds.find(node->get_instance_id());
+	if (known != _bonds.end()) {
+		return Id(known->second.id);
+	}
+	std::vector<uint64_t> &nodes = _nodes[kind];
+	nodes.resize(std::max(nodes.size(), count));
+	const bool is_free = wanted >= 0 && size_t(wanted) < count && nodes[size_t(wanted)] == 0;
+	const uint32_t id = is_free ? uint32_t(wanted) : uint32_t(count);
+	nodes.resize(std::max(nodes.size(), size_t(id) + 1));
+	nodes[id] = node->get_instance_id();
+	_bonds[node->get_instance_id()] = { kind, id };
+	return is_free ? Id(id) : Id::Invalid;
+}
+
+void CityEdits::take_in_lot(PCGLot *node) {
+	const int id = node->get_lot_id();
+	if (id < 0 || size_t(id) >= _state->city.layout.lots.size()) {
+		return; // drawn by hand: what it is for, its children say
+	}
+	const Vector3 home = to_godot(middle_of(_state->city.layout.lots[size_t(id)].polygon));
+	const LotPlace place = { LotId(id), frame_of(node) * Transform3D(Basis(), -home) };
+	const auto [known, is_new] = _lots.try_emplace(node->get_instance_id(), place);
+	if (is_new || known->second.lot != place.lot || !known->second.motion.is_equal_approx(place.motion)) {
+		known->second = place;
+		_changes.has_new_ground = true;
+	}
+}
+
+// A lot that was copied has a building of its own; a door that was copied alone leads into the same one.
+BuildingId CityEdits::building_for(PCGEntrance *node) {
+	CityModel &model = _state->city.model;
+	const PCGLot *lot = lot_above(node);
+	const uint64_t owner = lot ? lot->get_instance_id() : 0;
+	const auto known = _building_of_lot.find(owner);
+	BuildingId building = owner != 0 && known != _building_of_lot.end() ? known->second : BuildingId::Invalid;
+	if (const int wanted = node->get_building_id(); wanted >= 0 && size_t(wanted) < model.buildings().size()) {
+		const auto claim = _lot_of_building.find(uint32_t(wanted));
+		const bool is_of_other = owner != 0 && claim != _lot_of_building.end() && claim->second != owner && node_of<PCGLot>(claim->second);
+		building = is_of_other ? building : BuildingId(wanted);
+	}
+	const LotId lot_id = lot_id_above(node);
+	if (!is_valid(building)) {
+		building = model.add_building(lot_id);
+	} else if (model.building(building).is_removed) {
+		model.put_building(building, lot_id);
+	}
+	if (owner != 0) {
+		_building_of_lot[owner] = building;
+		_lot_of_building[index_of(building)] = owner;
+	}
+	return building;
+}
+
+void CityEdits::take_in_entrance(PCGEntrance *node) {
+	CityModel &model = _state->city.model;
+	const bool is_new = !_bonds.contains(node->get_instance_id());
+	EntranceId id = take_id<EntranceId>(node, EntranceKind, node->get_entrance_id(), model.entrances().size());
+	const Transform3D frame = frame_of(node);
+	Entrance entrance;
+	entrance.type = model.types.add(from_godot(node->get_type()));
+	entrance.position = from_godot(frame.get_origin());
+	entrance.facing = facing_of(frame);
+	entrance.capacity = uint32_t(node->get_capacity());
+	const bool keeps_building = !is_new && int(index_of(model.entrance(id).building)) == node->get_building_id();
+	entrance.building = keeps_building ? model.entrance(id).building : building_for(node);
+	if (!is_valid(id)) {
+		id = model.add_entrance(entrance);
+	} else {
+		const Entrance &old = model.entrance(id);
+		if (!old.is_removed && old.building == entrance.building && old.type == entrance.type && old.capacity == entrance.capacity &&
+				is_same(old.position, entrance.position) && is_same(old.facing, entrance.facing)) {
+			return;
+		}
+		model.put_entrance(id, entrance);
+	}
+	node->bind(int(index_of(id)), int(index_of(entrance.building)));
+	_changes.has_new_doors = true;
+}
+
+void CityEdits::take_in_zone(PCGZone *node) {
+	CityModel &model = _state->city.model;
+	const ZoneId id = take_id<ZoneId>(node, ZoneKind, node->get_zone_id(), model.zones().size());
+	const Transform3D frame = frame_of(node);
+	const float height = float(node->get_height() * frame.basis.get_column(1).length());
+	Zone zone{ model.types.add(from_godot(node->get_type())), placed(frame, from_godot(node->get_polygon())), height, lot_id_above(node), false };
+	if (!is_valid(id)) {
+		node->bind(int(index_of(model.add_zone(std::move(zone)))));
+		return;
+	}
+	const Zone &old = model.zone(id);
+	if (old.is_removed || old.type != zone.type || std::abs(old.height - zone.height) > arm || !is_same(old.polygon, zone.polygon)) {
+		model.put_zone(id, std::move(zone));
+	}
+}
+
+void CityEdits::take_in_object(PCGObject *node) {
+	CityModel &model = _state->city.model;
+	const ObjectId id = take_id<ObjectId>(node, ObjectKind, node->get_object_id(), model.objects().size());
+	const Transform3D frame = frame_of(node);
+	CityObject object;
+	object.type = model.types.add(from_godot(node->get_type()));
+	object.position = from_godot(frame.get_origin());
+	object.lot = lot_id_above(node);
+	const TypedArray<Transform3D> places = node->get_places();
+	for (int64_t i = 0; i < std::max<int64_t>(1, places.size()); ++i) {
+		const Transform3D place = places.is_empty() ? frame : frame * Transform3D(places[i]);
+		object.places.push_back({ from_godot(place.get_origin()), facing_of(place) });
+	}
+	set_footprint(node->get_instance_id(), placed(frame, node->footprint_corners()));
+	if (!is_valid(id)) {
+		node->bind(int(index_of(model.add_object(std::move(object)))));
+		return;
+	}
+	const CityObject &old = model.object(id);
+	if (old.is_removed || old.type != object.type || !is_same(old.position, object.position) || !is_same(old.places, object.places)) {
+		model.put_object(id, std::move(object));
+	}
+}
+
+void CityEdits::set_footprint(uint64_t object, std::vector<glm::vec3> corners) {
+	const auto known = _footprints.find(object);
+	const bool is_same_as_before = known == _footprints.end() ? corners.empty() : is_same(known->second, corners);
+	if (is_same_as_before) {
+		return;
+	}
+	_changes.has_new_ground = true;
+	if (corners.empty()) {
+		_footprints.erase(known);
+	} else {
+		_footprints[object] = std::move(corners);
+	}
+}
+
+void CityEdits::release(const Node *node) {
+	if (const auto found = _bonds.find(node->get_instance_id()); found != _bonds.end()) {
+		_nodes[found->second.kind][found->second.id] = 0;
+		_bonds.erase(found);
+	}
+	set_footprint(node->get_instance_id(), {});
+}
+
+CityEdits::Patches CityEdits::patches() const {
+	Patches result;
+	const City &city = _state->city;
+	std::vector<bool> is_at_home(city.lots.size());
+	for (const auto &[object, place] : _lots) {
+		if (place.motion.is_equal_approx(Transform3D())) {
+			is_at_home[index_of(place.lot)] = true;
+			continue;
+		}
+		GroundPatch patch;
+		patch.outline = placed(place.motion, city.layout.lot(place.lot).polygon);
+		for (const std::vector<glm::vec3> &piece : city.lots[index_of(place.lot)].free_ground) {
+			patch.pieces.push_back(placed(place.motion, piece));
+		}
+		result[{ Moved, object }] = std::move(patch);
+	}
+	for (size_t i = 0; i < is_at_home.size(); ++i) {
+		if (!is_at_home[i]) {
+			const Lot &lot = city.layout.lots[i];
+			result[{ Vacated, i }] = { lot.polygon, free_ground(lot, cga::DerivationResult()) };
+		}
+	}
+	for (const auto &[object, footprint] : _footprints) {
+		result[{ Obstacle, object }] = { footprint, {} };
+	}
+	return result;
+}
+
+void CityEdits::mark_reach(std::span<const Reach> verdicts) const {
+	const std::vector<uint64_t> &nodes = _nodes[EntranceKind];
+	for (size_t i = 0; i < std::min(verdicts.size(), nodes.size()); ++i) {
+		PCGEntrance *node = node_of<PCGEntrance>(nodes[i]);
+		const bool is_reachable = verdicts[i] == Reach::Reachable || verdicts[i] == Reach::Removed;
+		if (node && node->is_reachable() != is_reachable) {
+			node->set_reachable(is_reachable);
+		}
+	}
+}
+
+PCGLot *CityEdits::lot_node(LotId lot) const {
+	PCGLot *found = nullptr;
+	for (const auto &[object, place] : _lots) {
+		PCGLot *node = place.lot == lot ? node_of<PCGLot>(object) : nullptr;
+		found = node && (!found || found->is_greater_than(node)) ? node : found;
+	}
+	return found;
+}
+
+} // namespace pcg

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include <godot_cpp/classes/node3d.hpp>
+#include <godot_cpp/variant/transform3d.hpp>
+
+#include "godot/nodes/city_job.h"
+
+namespace pcg {
+
+class PCGCity;
+class PCGEntrance;
+class PCGLot;
+class PCGObject;
+class PCGZone;
+
+// Carries what happens to the nodes of a city over to its model. The nodes are right: a record is what its node says, each node has one
+// record and each record one node. A node whose id belongs to another one is a copy and becomes a record of its own; one that left the tree takes
+// its record with it, and finds it again under the same id when it comes back.
+class CityEdits {
+public:
+	explicit CityEdits(PCGCity *city) : _city(city) {}
+
+	// Before the nodes are there or with them. `state` may be null: nodes lose their records, and keep their ids.
+	void follow(std::shared_ptr<CityState> state);
+	// Noted nodes that stood here before the city came get new ids, for theirs are those of others in it.
+	void forget_ids();
+	// Instead: makes room for the ids that the noted nodes bring along, so that none of them changes: a city that was saved comes back.
+	void restore_ids();
+	void note(const godot::Node3D *node) { _noted.push_back(node->get_instance_id()); }
+
+	struct Changes {
+		bool has_edits = false; // the model is not as before
+		bool has_new_doors = false; // entrances came, moved or went
+		bool has_new_ground = false; // patches() says something else
+	};
+	// Takes in all that was noted. Not while another thread reads the model.
+	Changes take_in();
+	// What the lots and objects that stand in the tree do to the ground for walking. By what changes it: the kind, then whose it is.
+	using Patches = std::map<std::pair<int, uint64_t>, GroundPatch>;
+	Patches patches() const;
+	void mark_reach(std::span<const Reach> verdicts) const; // by EntranceId
+	// The node goes, and what its record says is somebody else's to decide.
+	void release(const godot::Node *node);
+	// The node that shows a generated lot; null if it is gone.
+	PCGLot *lot_node(LotId lot) const;
+
+private:
+	enum Kind : uint8_t { EntranceKind, ZoneKind, ObjectKind, kind_count };
+	struct Bond {
+		Kind kind = EntranceKind;
+		uint32_t id = 0;
+	};
+	struct LotPlace {
+		LotId lot = LotId::Invalid;
+		godot::Transform3D motion; // from where it was generated
+	};
+
+	void take_in(uint64_t object);
+	void set_footprint(uint64_t object, std::vector<glm::vec3> corners);
+	void let_go(uint64_t object);
+	void take_in_lot(PCGLot *node);
+	void take_in_entrance(PCGEntrance *node);
+	void take_in_zone(PCGZone *node);
+	void take_in_object(PCGObject *node);
+	bool is_ours(godot::Node3D *node) const;
+	godot::Transform3D frame_of(const godot::Node3D *node) const; // in the city
+	BuildingId building_for(PCGEntrance *node);
+	template <typename Id> Id take_id(const godot::Node3D *node, Kind kind, int wanted, size_t count);
+
+	PCGCity *_city;
+	std::shared_ptr<CityState> _state;
+	std::vector<uint64_t> _noted; // objects; some may be gone
+	std::unordered_map<uint64_t, Bond> _bonds; // by object
+	std::array<std::vector<uint64_t>, kind_count> _nodes; // by id; 0 = none
+	std::map<uint64_t, LotPlace> _lots; // by object
+	std::unordered_map<uint64_t, BuildingId> _building_of_lot; // by object
+	std::unordered_map<uint32_t, uint64_t> _lot_of_building;
+	std::map<uint64_t, std::vector<glm::vec3>> _footprints; // by object
+	Changes _changes;
+};
+
+} // namespace pcg

@@ -1,0 +1,114 @@
+#include "godot/nodes/city_ground.h"
+
+#include <algorithm>
+
+#include "godot/convert.h"
+
+using namespace godot;
+
+namespace pcg {
+
+namespace {
+
+bool is_same(const GroundPatch &a, const GroundPatch &b) { return a.outline == b.outline && a.pieces == b.pieces; }
+
+} // namespace
+
+CityGround::CityGround(std::shared_ptr<CityState> state, const BakeSettings &settings, CityEdits::Patches patches)
+	: _state(std::move(state)), _settings(settings) {
+	set_patches(std::move(patches));
+}
+
+void CityGround::set_patches(CityEdits::Patches patches) {
+	_patches = std::move(patches);
+	_state->city.patches.clear();
+	for (const auto &[key, patch] : _patches) {
+		_state->city.patches.push_back(patch);
+	}
+}
+
+void CityGround::change(CityEdits::Patches patches) {
+	for (const auto &[key, patch] : _patches) {
+		const auto found = patches.find(key);
+		if (found == patches.end() || !is_same(found->second, patch)) {
+			touch(patch.outline);
+		}
+	}
+	for (const auto &[key, patch] : patches) {
+		const auto found = _patches.find(key);
+		if (found == _patches.end() || !is_same(found->second, patch)) {
+			touch(patch.outline);
+		}
+	}
+	set_patches(std::move(patches));
+}
+
+void CityGround::touch(LotId lot) { touch(_state->city.layout.lot(lot).polygon); }
+
+void CityGround::touch(const std::vector<glm::vec3> &polygon) {
+	glm::vec3 low = polygon[0], high = polygon[0];
+	for (const glm::vec3 &corner : polygon) {
+		low = { std::min(low.x, corner.x), 0.0f, std::min(low.z, corner.z) };
+		high = { std::max(high.x, corner.x), 0.0f, std::max(high.z, corner.z) };
+	}
+	const std::vector<Tile> &tiles = _state->city.layout.tiles;
+	for (size_t i = 0; i < tiles.size(); ++i) {
+		const float reach = TileBaker::border;
+		if (tiles[i].min.x <= high.x + reach && tiles[i].max.x >= low.x - reach && tiles[i].min.z <= high.z + reach && tiles[i].max.z >= low.z - reach) {
+			_dirty.insert(uint32_t(i));
+		}
+	}
+}
+
+bool CityGround::go_on() {
+	if (_joiner.joinable()) {
+		if (!_is_joined) {
+			return false;
+		}
+		_joiner.join();
+		_state->ground = std::move(_joined);
+		_state->paths->prepare();
+		return true;
+	}
+	if (_baker) {
+		collect_baked();
+	} else if (!_dirty.empty()) {
+		begin_baking();
+	}
+	return false;
+}
+
+void CityGround::begin_baking() {
+	_baker = std::make_unique<TileBaker>(_state->city, _settings);
+	_baked.clear();
+	for (const uint32_t tile : _dirty) {
+		_baker->bake(tile, true);
+		_baked.push_back({ tile, {} });
+	}
+	_dirty.clear();
+}
+
+void CityGround::collect_baked() {
+	if (std::ranges::any_of(_baked, [&](const Baked &baked) { return _baker->is_baking(baked.tile); })) {
+		return;
+	}
+	for (Baked &baked : _baked) {
+		baked.mesh = _baker->finish(baked.tile);
+		_state->regions[baked.tile] = from_godot(baked.mesh);
+	}
+	_baker.reset();
+	_is_joined = false;
+	_joiner = std::thread([this] { // the regions stay as they are until it has ended
+		_joined = NavMesh::build(_state->regions);
+		_is_joined = true;
+	});
+}
+
+// What the engine still bakes is its own to finish: it holds the meshes, too.
+CityGround::~CityGround() {
+	if (_joiner.joinable()) {
+		_joiner.join();
+	}
+}
+
+} // namespace pcg

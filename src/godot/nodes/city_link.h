@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+
+#include <godot_cpp/classes/node3d.hpp>
+
+namespace pcg {
+
+class PCGCity;
+
+// The tie between a node that means something (a lot, an entrance, a zone, an object) and the city that it belongs to: the PCGCity above it, else the one
+// in the tree whose ground it stands on. Whatever happens to the node is noted there.
+class CityLink {
+public:
+	// For the node's _notification().
+	void notify(godot::Node3D *node, int what);
+	// A property that the model knows of was set.
+	void note_change(godot::Node3D *node) const;
+	// Of a node that has one; else null.
+	static CityLink *of(godot::Node *node);
+	// Null while the node belongs to none.
+	PCGCity *city() const;
+	// Again, because a city has come.
+	void find_city(godot::Node3D *node);
+
+	// Nodes in the tree that belong to no city are in this group.
+	static constexpr const char *lost_group = "pcg_without_city";
+
+private:
+	uint64_t _city = 0; // of the object
+};
+
+} // namespace pcg

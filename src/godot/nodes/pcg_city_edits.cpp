@@ -1,0 +1,199 @@
+#include <thread>
+
+#include <godot_cpp/classes/navigation_mesh.hpp>
+#include <godot_cpp/classes/navigation_region3d.hpp>
+#include <godot_cpp/classes/navigation_server3d.hpp>
+#include <godot_cpp/classes/scene_tree.hpp>
+#include <godot_cpp/classes/world3d.hpp>
+#include <godot_cpp/core/error_macros.hpp>
+#include <godot_cpp/variant/callable_method_pointer.hpp>
+
+#include "core/city/city_bytes.h"
+#include "godot/convert.h"
+#include "godot/nodes/city_link.h"
+#include "godot/nodes/pcg_city.h"
+#include "godot/nodes/pcg_lot.h"
+#include "godot/report.h"
+
+using namespace godot;
+
+namespace pcg {
+
+BakeSettings PCGCity::bake_settings() const {
+	NavigationServer3D *server = NavigationServer3D::get_singleton();
+	const RID map = get_world_3d()->get_navigation_map();
+	BakeSettings settings;
+	settings.cell_size = float(server->map_get_cell_size(map));
+	settings.cell_height = float(server->map_get_cell_height(map));
+	settings.agent_radius = float(_agent_radius);
+	return settings;
+}
+
+void PCGCity::note_edit(const Node3D *p_node) {
+	_edits.note(p_node);
+	if (!_is_update_queued) {
+		_is_update_queued = true;
+		callable_mp(this, &PCGCity::take_in_edits).call_deferred();
+	}
+}
+
+void PCGCity::take_in_edits() {
+	_is_update_queued = false;
+	update_model();
+}
+
+// Nodes leave the tree with their city, and come back with it: that is no edit.
+void PCGCity::update_model() {
+	if (!is_inside_tree() || !can_edit()) {
+		return;
+	}
+	const CityEdits::Changes changes = _edits.take_in();
+	if (_ground && changes.has_new_ground) {
+		_ground->change(_edits.patches());
+	}
+	if (!_state) {
+		return; // not finished: ways are found afterwards
+	}
+	if (changes.has_new_doors) {
+		_state->paths->prepare();
+		_edits.mark_reach(reach_of_entrances(_state->city.model, _state->ground));
+	}
+	set_process(is_generating() || !_ground->is_idle());
+	if (changes.has_edits) {
+		emit_signal("city_edited");
+	}
+}
+
+void PCGCity::go_on_with_ground() {
+	if (_ground->go_on()) {
+		CityBuilder builder(this, _state->city);
+		for (const CityGround::Baked &baked : _ground->baked()) {
+			builder.add_region(baked.tile, baked.mesh);
+		}
+		_edits.mark_reach(reach_of_entrances(_state->city.model, _state->ground));
+		emit_signal("navigation_updated");
+	}
+	set_process(is_generating() || (_ground && !_ground->is_idle()));
+}
+
+bool PCGCity::has_ground_at(const Vector3 &p_point) const {
+	if (!_state || !is_inside_tree()) {
+		return false;
+	}
+	const glm::vec3 point = from_godot(get_global_transform().affine_inverse().xform(p_point));
+	const Layout &layout = _state->city.layout;
+	return point.x >= layout.min.x && point.x <= layout.max.x && point.z >= layout.min.z && point.z <= layout.max.z;
+}
+
+void PCGCity::adopt_lost_nodes() {
+	const TypedArray<Node> lost = get_tree()->get_nodes_in_group(CityLink::lost_group);
+	for (int64_t i = 0; i < lost.size(); ++i) {
+		Node3D *node = Object::cast_to<Node3D>(Object::cast_to<Node>(lost[i]));
+		if (CityLink *link = CityLink::of(node)) {
+			link->find_city(node);
+		}
+	}
+}
+
+bool PCGCity::regenerate_lot(int p_lot) {
+	ERR_FAIL_COND_V_MSG(!_state || is_generating(), false, "PCGCity: there is no finished city yet. Call generate() and wait for city_generated.");
+	ERR_FAIL_COND_V_MSG(p_lot < 0 || size_t(p_lot) >= _state->city.lots.size(), false, "PCGCity: there is no lot of this number. Look at PCGLot.lot_id.");
+	return regenerate({ LotId(p_lot) });
+}
+
+bool PCGCity::regenerate_block(int p_block) {
+	ERR_FAIL_COND_V_MSG(!_state || is_generating(), false, "PCGCity: there is no finished city yet. Call generate() and wait for city_generated.");
+	ERR_FAIL_COND_V_MSG(p_block < 0 || size_t(p_block) >= _state->city.layout.blocks.size(), false,
+			"PCGCity: there is no block of this number. Look at PCGLot.block_id.");
+	return regenerate(_state->city.layout.block(BlockId(p_block)).lots);
+}
+
+bool PCGCity::regenerate(const std::vector<LotId> &lots) {
+	update_model();
+	CityInput input;
+	Diagnostics diagnostics;
+	if (!prepare_rules(input, diagnostics)) {
+		report(diagnostics);
+		return false;
+	}
+	std::vector<std::pair<LotId, PCGLot *>> nodes; // lots that were deleted stay away
+	std::vector<LotId> wanted;
+	CityBuilder builder(this, _state->city);
+	for (const LotId lot : lots) {
+		if (PCGLot *node = _edits.lot_node(lot)) {
+			nodes.emplace_back(lot, node);
+			wanted.push_back(lot);
+			for (const Node *child : builder.clear_lot(node, lot)) {
+				_edits.release(child);
+			}
+		}
+	}
+	CityJob job(std::move(input));
+	job.state = _state;
+	std::atomic<bool> is_done{ false };
+	bool is_good = false;
+	std::thread worker([&] { // lots may ask for what only the main thread gives, which so must not build them
+		is_good = job.grow_again(wanted);
+		is_done = true;
+	});
+	while (!is_done) {
+		job.main->run_waiting();
+		std::this_thread::sleep_for(std::chrono::microseconds(100));
+	}
+	worker.join();
+	for (const auto &[lot, node] : nodes) {
+		builder.fill_lot(node, lot);
+		_ground->touch(lot);
+	}
+	_saved.clear();
+	report(job.diagnostics);
+	update_model();
+	return is_good && !job.diagnostics.has_errors();
+}
+
+PackedByteArray PCGCity::get_saved_city() const {
+	if (_state && _saved.is_empty()) {
+		const std::string bytes = city_bytes(_state->city);
+		_saved.resize(int64_t(bytes.size()));
+		std::copy(bytes.begin(), bytes.end(), _saved.ptrw());
+	}
+	return _saved;
+}
+
+void PCGCity::read_regions(CityState &state) const {
+	state.regions.resize(state.city.layout.tiles.size());
+	const Node *parent = get_node_or_null(NodePath("Navigation"));
+	for (size_t i = 0; parent && i < state.regions.size(); ++i) {
+		const NavigationRegion3D *region =
+				Object::cast_to<NavigationRegion3D>(parent->get_node_or_null(NodePath("Tile" + String::num_int64(int64_t(i)))));
+		if (region && region->get_navigation_mesh().is_valid()) {
+			state.regions[i] = from_godot(region->get_navigation_mesh());
+		}
+	}
+}
+
+// The nodes came with the scene. False if they are of no use, which is told.
+bool PCGCity::load_saved() {
+	const std::string bytes(reinterpret_cast<const char *>(_saved.ptr()), size_t(_saved.size()));
+	_diagnostics = Diagnostics();
+	std::optional<City> city = city_from_bytes(bytes, _diagnostics);
+	if (!city) {
+		report(_diagnostics);
+		return false;
+	}
+	_job = std::make_unique<CityJob>(CityInput());
+	_job->state = std::make_shared<CityState>();
+	_job->state->city = std::move(*city);
+	read_regions(*_job->state);
+	_is_async = true;
+	_state_in_scene = _job->state;
+	_edits.follow(_state_in_scene);
+	_edits.restore_ids();
+	update_model();
+	_ground = std::make_unique<CityGround>(_job->state, bake_settings(), _edits.patches());
+	start_task(Stage::Joining);
+	set_process(true);
+	return true;
+}
+
+} // namespace pcg

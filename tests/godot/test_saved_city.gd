@@ -1,0 +1,194 @@
+extends "res://tests/godot/suite.gd"
+## A generated city as a scene: saved, loaded without generating, edited, and lots that are generated anew.
+
+const CityForTests := preload("res://tests/godot/city_for_tests.gd")
+const HOUR := 3600.0
+
+
+func _grown(lots: int = 20) -> PCGCity:
+	var city: PCGCity = CityForTests.make_city(lots)
+	add_child(city)
+	check(city.generate_now(), "it generates: %s" % [city.get_diagnostics()])
+	return city
+
+
+func _settle() -> void:
+	await get_tree().process_frame
+	await get_tree().process_frame
+
+
+func _nodes(city: Node, type: String) -> Array:
+	return city.find_children("*", type, true, false)
+
+
+func _save(city: PCGCity, path: String) -> void:
+	var scene := PackedScene.new()
+	check_equal(scene.pack(city), OK, "it is packed")
+	check_equal(ResourceSaver.save(scene, path), OK, "it is saved")
+
+
+func _load(path: String) -> PCGCity:
+	var scene: PackedScene = ResourceLoader.load(path, "", ResourceLoader.CACHE_MODE_IGNORE_DEEP)
+	var city: PCGCity = scene.instantiate()
+	add_child(city)
+	check_equal(await city.city_generated, true, "it is there: %s" % [city.get_diagnostics()])
+	await get_tree().process_frame # the signal is still being told
+	DirAccess.remove_absolute(path)
+	return city
+
+
+func _records(city: PCGCity) -> Dictionary:
+	var result := {}
+	for door: PCGEntrance in _nodes(city, "PCGEntrance"):
+		result["entrance %d" % door.entrance_id] = [door.type, door.capacity, door.building_id, door.global_position]
+	for zone: PCGZone in _nodes(city, "PCGZone"):
+		result["zone %d" % zone.zone_id] = [zone.type, zone.global_position, zone.polygon]
+	for object: PCGObject in _nodes(city, "PCGObject"):
+		result["object %d" % object.object_id] = [object.type, object.global_transform]
+	return result
+
+
+func _distances(city: PCGCity) -> Array:
+	return range(city.get_building_count()).map(func(i: int) -> float: return city.get_distance(0, i))
+
+
+func test_a_saved_city_is_loaded_as_it_was_without_its_rules() -> void:
+	for path: String in ["user://city_of_tests.scn", "user://city_of_tests.tscn"]:
+		var city: PCGCity = _grown()
+		var door: PCGEntrance = _nodes(city, "PCGEntrance")[2]
+		(_nodes(city, "PCGEntrance")[5] as PCGEntrance).free() # leaves a gap among the numbers
+		door.global_position += Vector3(0.5, 0, 0)
+		await _settle()
+		var records: Dictionary = _records(city)
+		var distances: Array = _distances(city)
+		var made: Dictionary = city.get_statistics()
+		var meshes: int = _nodes(city, "MeshInstance3D").size()
+		city.lot_types = []
+		_save(city, path)
+		city.free()
+		var again: PCGCity = await _load(path)
+		check_equal(_records(again), records, "%s: what has meaning" % path)
+		check_equal(_distances(again), distances, "%s: ways" % path)
+		for what: String in ["lots", "blocks", "buildings", "entrances", "zones", "objects", "faces"]:
+			check_equal(again.get_statistics()[what], made[what], "%s: %s" % [path, what])
+		check_equal(_nodes(again, "MeshInstance3D").size(), meshes, "%s: meshes" % path)
+		for instance: MeshInstance3D in _nodes(again, "MeshInstance3D"):
+			check(instance.mesh.get_surface_count() > 0, "a mesh with surfaces")
+		again.free()
+
+
+func test_a_loaded_city_is_lived_in_and_edited() -> void:
+	var city: PCGCity = _grown()
+	_save(city, "user://city_of_tests.scn")
+	city.free()
+	city = await _load("user://city_of_tests.scn")
+	var citizens: CitizenManager = CityForTests.make_citizens(city, 20)
+	add_child(citizens)
+	check(citizens.generate_population() and citizens.start(), "people: %s" % [citizens.get_diagnostics()])
+	citizens.jump_to(0, 12 * HOUR)
+	var at_school: int = 0
+	for id: int in citizens.get_statistics()["persons"]:
+		at_school += int(citizens.get_person(id)["place"]["id"] != citizens.get_person(id)["home"])
+	check(at_school > 5, "at noon %d are elsewhere" % at_school)
+	var door: PCGEntrance = _nodes(city, "PCGEntrance")[0]
+	var lot: Node = door.get_parent()
+	var updated: Array[int] = [0]
+	city.navigation_updated.connect(func() -> void: updated[0] += 1)
+	await _settle()
+	check(not city.is_updating_navigation(), "nothing is baked for loading")
+	lot.free()
+	for frame: int in 2000:
+		await get_tree().process_frame
+		if updated[0] > 0:
+			break
+	check_equal(updated[0], 1, "the ground of a deleted lot is baked")
+	check_equal(city.get_statistics()["lots"], 20, "the layout keeps its lots")
+
+
+func test_edits_are_saved_too_and_come_back() -> void:
+	var city: PCGCity = _grown()
+	var door: PCGEntrance = _nodes(city, "PCGEntrance")[0]
+	var lot: PCGLot = door.get_parent()
+	var copy: PCGLot = lot.duplicate()
+	lot.get_parent().add_child(copy)
+	copy.owner = city
+	for child: Node in copy.get_children():
+		child.owner = city
+	var park: PCGLot = _nodes(city, "PCGLot").filter(func(one: PCGLot) -> bool: return one.type == "park")[0]
+	copy.global_position = park.global_position
+	park.free()
+	var bench := PCGObject.new()
+	bench.type = "bench"
+	city.add_child(bench)
+	bench.owner = city
+	await _settle()
+	var records: Dictionary = _records(city)
+	_save(city, "user://city_of_tests.scn")
+	city.free()
+	city = await _load("user://city_of_tests.scn")
+	check_equal(_records(city), records, "what has meaning")
+	check_equal(city.get_statistics()["objects"], 1, "the bench")
+
+
+func test_bytes_that_are_damaged_are_refused() -> void:
+	var city: PCGCity = _grown(6)
+	var bytes: PackedByteArray = city.saved_city
+	check(bytes.size() > 1000, "there is something to save")
+	var scene := PackedScene.new()
+	scene.pack(city)
+	var again: PCGCity = scene.instantiate()
+	again.saved_city = bytes.slice(0, bytes.size() / 2)
+	expect_message("the saved layout of this city is damaged: generate it anew")
+	add_child(again)
+	check(not again.is_generated() and not again.is_generating(), "there is no city")
+	check(again.generate_now(), "but it can be generated")
+	await _settle()
+	check_equal(_nodes(again, "PCGLot").size(), 6, "in place of what was there")
+
+
+func test_a_lot_that_is_generated_anew_touches_no_other() -> void:
+	var city: PCGCity = _grown()
+	var lots: Array = _nodes(city, "PCGLot").filter(func(lot: PCGLot) -> bool: return lot.type == "house")
+	var moved: PCGLot = lots[1]
+	var door: PCGEntrance = _nodes(moved, "PCGEntrance")[0]
+	door.global_position += Vector3(1, 0, 0)
+	var bench := PCGObject.new()
+	bench.type = "bench"
+	(lots[0] as PCGLot).add_child(bench)
+	await _settle()
+	var target: PCGLot = lots[0]
+	var home: int = (_nodes(target, "PCGEntrance")[0] as PCGEntrance).building_id
+	var before: Dictionary = _records(city)
+	var count: int = city.get_child_count()
+	city.lot_types[0].rules = CityForTests.make_rules(CityForTests.HOUSE.replace("extrude(6)", "extrude(9)"))
+	var mesh: Mesh = (target.get_node("Geometry") as MeshInstance3D).mesh
+	var other: Mesh = (moved.get_node("Geometry") as MeshInstance3D).mesh
+	check(city.regenerate_lot(target.lot_id), "it is generated: %s" % [city.get_diagnostics()])
+	await _settle()
+	check((target.get_node("Geometry") as MeshInstance3D).mesh.get_aabb().size.y > mesh.get_aabb().size.y + 2.0, "the house is higher")
+	check((moved.get_node("Geometry") as MeshInstance3D).mesh == other, "the other one is the same")
+	check_equal(city.get_child_count(), count, "nothing else was made")
+	check_equal((_nodes(target, "PCGEntrance")[0] as PCGEntrance).building_id, home, "the address stays")
+	check_equal(_nodes(target, "PCGEntrance").size(), 1, "with one door")
+	check(is_instance_valid(bench) and bench.is_inside_tree(), "what was put there by hand stays")
+	var after: Dictionary = _records(city)
+	for key: String in before:
+		var is_doors: bool = before[key] is Array and before[key].size() == 4 and before[key][2] == home
+		check(is_doors or after.get(key) == before[key], "%s is as it was" % key)
+	check_equal(city.get_statistics()["entrances"]["house"], lots.size(), "as many doors as before")
+
+
+func test_a_block_is_generated_anew_without_the_lot_that_was_deleted() -> void:
+	var city: PCGCity = _grown()
+	var lots: Array = _nodes(city, "PCGLot").filter(func(lot: PCGLot) -> bool: return lot.block_id == 0)
+	var count: int = lots.size()
+	(lots[0] as PCGLot).free()
+	await _settle()
+	check(city.regenerate_block(0), "it is generated")
+	await _settle()
+	lots = _nodes(city, "PCGLot").filter(func(lot: PCGLot) -> bool: return lot.block_id == 0)
+	check_equal(lots.size(), count - 1, "what was deleted stays away")
+	for lot: PCGLot in lots:
+		check(lot.get_child_count() > 0, "the others have something on them")
+	expect_message("there is no lot of this number")
+	check(not city.regenerate_lot(1000), "no such lot")
