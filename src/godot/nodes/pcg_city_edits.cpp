@@ -19,6 +19,26 @@ using namespace godot;
 
 namespace pcg {
 
+namespace {
+
+// Lots may ask for what only the main thread gives, which so must not build them.
+bool grow_beside(CityJob &job, const std::vector<LotId> &lots) {
+	std::atomic<bool> is_done{ false };
+	bool is_good = false;
+	std::thread worker([&] {
+		is_good = job.grow_again(lots);
+		is_done = true;
+	});
+	while (!is_done) {
+		job.main->run_waiting();
+		std::this_thread::sleep_for(std::chrono::microseconds(100));
+	}
+	worker.join();
+	return is_good;
+}
+
+} // namespace
+
 BakeSettings PCGCity::bake_settings() const {
 	NavigationServer3D *server = NavigationServer3D::get_singleton();
 	const RID map = get_world_3d()->get_navigation_map();
@@ -130,17 +150,7 @@ bool PCGCity::regenerate(const std::vector<LotId> &lots) {
 	}
 	CityJob job(std::move(input));
 	job.state = _state;
-	std::atomic<bool> is_done{ false };
-	bool is_good = false;
-	std::thread worker([&] { // lots may ask for what only the main thread gives, which so must not build them
-		is_good = job.grow_again(wanted);
-		is_done = true;
-	});
-	while (!is_done) {
-		job.main->run_waiting();
-		std::this_thread::sleep_for(std::chrono::microseconds(100));
-	}
-	worker.join();
+	const bool is_good = grow_beside(job, wanted);
 	for (const auto &[lot, node] : nodes) {
 		builder.fill_lot(node, lot);
 		_ground->touch(lot);
