@@ -2,7 +2,18 @@
 
 namespace pcg {
 
+namespace {
+
+// Hosts of CityEngine's runtime write the style before a name: Default$Lot.
+std::string_view without_default_style(std::string_view name) {
+	constexpr std::string_view prefix = "Default$";
+	return name.starts_with(prefix) ? name.substr(prefix.size()) : name;
+}
+
+} // namespace
+
 RuleId Program::find_rule(std::string_view name, size_t param_count) const {
+	name = without_default_style(name);
 	for (size_t i = 0; i < rules.size(); ++i) {
 		if (rules[i].name == name && rules[i].params.size() == param_count && !rules[i].is_leaf_symbol) {
 			return RuleId(i);
@@ -21,6 +32,7 @@ uint32_t Program::find_text(std::string_view text) const {
 }
 
 int Program::find_attribute(std::string_view name) const {
+	name = without_default_style(name);
 	for (size_t i = 0; i < attributes.size(); ++i) {
 		if (attributes[i].name == name) {
 			return int(i);
