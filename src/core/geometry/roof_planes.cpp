@@ -83,6 +83,36 @@ void add_plane(Roof &roof, const RoofOutline &part, const Profile &profile, cons
 	roof.faces.push_back(std::move(face));
 }
 
+// Corners of the outline that lie on the ridge become corners of what runs past them, so that both planes and the walls share them.
+void add_corners_on_ridge(Loop &part, const Loop &outline, const Profile &profile) {
+	for (const glm::dvec2 &corner : outline) {
+		if (profile.distance(corner) != 0.0) {
+			continue;
+		}
+		for (size_t i = 0; i < part.size(); ++i) {
+			const glm::dvec2 a = part[i], b = part[(i + 1) % part.size()], side = b - a;
+			const double share = glm::dot(corner - a, side) / std::max(glm::dot(side, side), tiny);
+			if (glm::distance(a + side * share, corner) < tiny && share > tiny && share < 1.0 - tiny) {
+				part.insert(part.begin() + long(i) + 1, corner);
+				break;
+			}
+		}
+	}
+}
+
+// What of the outline lies on one side of the ridge.
+std::vector<RoofOutline> side_of_ridge(const RoofOutline &outline, const Profile &profile, double sign) {
+	std::vector<RoofOutline> parts = cut_outline(outline, sign * profile.normal, sign * profile.offset);
+	for (RoofOutline &part : parts) {
+		for (Loop &loop : part) {
+			for (const Loop &corners : outline) {
+				add_corners_on_ridge(loop, corners, profile);
+			}
+		}
+	}
+	return parts;
+}
+
 // The wall between the base and the roof along one edge, with the ridge's point where the edge crosses it.
 void add_wall(Roof &roof, uint32_t edge, const std::vector<glm::dvec3> &top) {
 	RoofFace wall{ RoofPart::Gable, edge, { { top.front().x, top.front().y, 0.0 }, { top.back().x, top.back().y, 0.0 } }, {} };
@@ -198,11 +228,10 @@ Roof roof_along(const RoofOutline &outline, RoofSlope slope, glm::dvec2 directio
 	const Profile profile{ across, middle, rise, true, half };
 	const bool has_overhang = overhang_eaves > tiny || overhang_gables > tiny;
 	const RoofOutline eaves = has_overhang ? overhanging(outline, along, overhang_eaves / std::sqrt(1.0 + rise * rise), overhang_gables) : outline;
-	for (const RoofOutline &part : cut_outline(eaves, -across, -middle)) {
-		add_plane(roof, part, profile, eaves);
-	}
-	for (const RoofOutline &part : cut_outline(eaves, across, middle)) {
-		add_plane(roof, part, profile, eaves);
+	for (const double sign : { -1.0, 1.0 }) {
+		for (const RoofOutline &part : side_of_ridge(eaves, profile, sign)) {
+			add_plane(roof, part, profile, eaves);
+		}
 	}
 	add_walls(roof, outline, profile);
 	sort_by_edge(roof);
