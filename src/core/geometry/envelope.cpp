@@ -314,6 +314,65 @@ void drop_straight_points(std::vector<EnvelopeFace> &faces) {
 	});
 }
 
+// Faces share the points that they have in common to the last bit, those above each other their place in the plan.
+void join_points(std::vector<EnvelopeFace> &faces) {
+	constexpr double near = 1e-7;
+	std::vector<glm::dvec3> known;
+	const auto join = [&](glm::dvec3 &point) {
+		for (const glm::dvec3 &other : known) {
+			if (std::abs(point.x - other.x) < near && std::abs(point.y - other.y) < near) {
+				point = { other.x, other.y, point.z };
+				if (std::abs(point.z - other.z) < near) {
+					point.z = other.z;
+					return;
+				}
+			}
+		}
+		known.push_back(point);
+	};
+	for (EnvelopeFace &face : faces) {
+		for (Loop3 &loop : face.loops) {
+			std::ranges::for_each(loop, join);
+			const auto again = std::ranges::unique(loop);
+			loop.erase(again.begin(), again.end());
+		}
+	}
+}
+
+// A point in which a face ends on an upright line becomes a point of the faces beside the line.
+void share_upright_points(std::vector<EnvelopeFace> &faces) {
+	std::multimap<std::pair<double, double>, double> heights;
+	const auto place = [](glm::dvec3 p) { return std::pair(p.x, p.y); };
+	for (const EnvelopeFace &face : faces) {
+		for (const glm::dvec3 &point : face.loops[0]) {
+			heights.emplace(place(point), point.z);
+		}
+	}
+	for (EnvelopeFace &face : faces) {
+		Loop3 loop;
+		for (size_t i = 0; i < face.loops[0].size(); ++i) {
+			const glm::dvec3 from = face.loops[0][i], to = face.loops[0][(i + 1) % face.loops[0].size()];
+			loop.push_back(from);
+			if (place(from) != place(to)) {
+				continue;
+			}
+			std::vector<double> between;
+			const auto [begin, end] = heights.equal_range(place(from));
+			std::for_each(begin, end, [&](const auto &entry) { between.push_back(entry.second); });
+			std::ranges::sort(between);
+			if (to.z < from.z) {
+				std::ranges::reverse(between);
+			}
+			for (const double z : between) {
+				if ((z - loop.back().z) * (to.z - from.z) > 1e-6 && (to.z - z) * (to.z - from.z) > 1e-6) {
+					loop.push_back({ from.x, from.y, z });
+				}
+			}
+		}
+		face.loops[0] = std::move(loop);
+	}
+}
+
 } // namespace
 
 Envelope make_envelope(const Loops2 &polygon, const std::vector<EnvelopeSide> &sides, double max_height) {
@@ -322,7 +381,9 @@ Envelope make_envelope(const Loops2 &polygon, const std::vector<EnvelopeSide> &s
 		return { {}, false };
 	}
 	Envelope envelope = Builder(polygon, sides, max_height).run();
+	join_points(envelope.faces);
 	drop_straight_points(envelope.faces);
+	share_upright_points(envelope.faces);
 	return envelope;
 }
 

@@ -1,6 +1,9 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
@@ -92,6 +95,29 @@ TEST_CASE("over any polygon the planes and the top cover it, and the walls close
 	}
 	CHECK(tried > 300);
 	CHECK(failures == 0);
+}
+
+TEST_CASE("where a face ends in the middle of an upright line, the walls beside it have its point too") {
+	// Two wings that look to the front; of the three sides that do, the planes begin at 5 m and rise by 45 degrees.
+	const Loops2 comb = { { { 0, 0 }, { 3, 0 }, { 3, 2 }, { 10, 2 }, { 10, 4 }, { 3, 4 }, { 3, 6 }, { 10, 6 }, { 10, 8 }, { 3, 8 }, { 3, 10 }, { 0, 10 } } };
+	std::vector<EnvelopeSide> sides(comb[0].size());
+	sides[0] = sides[2] = sides[6] = { 5.0, 45.0 };
+	const Envelope envelope = make_envelope(comb, sides, 20.0);
+	std::vector<std::pair<glm::dvec3, glm::dvec3>> unpaired;
+	for (const EnvelopeFace &face : envelope.faces) {
+		const auto &loop = face.loops[0];
+		for (size_t i = 0; i < loop.size(); ++i) {
+			const glm::dvec3 from = loop[i], to = loop[(i + 1) % loop.size()];
+			const auto back = std::ranges::find(unpaired, std::pair(to, from));
+			if (back == unpaired.end()) {
+				unpaired.emplace_back(from, to);
+			} else {
+				unpaired.erase(back);
+			}
+		}
+	}
+	CHECK(envelope.faces.size() == 16);
+	CHECK(unpaired.empty());
 }
 
 TEST_CASE("an envelope over nothing or over a crossing outline is empty") {
