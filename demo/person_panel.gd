@@ -7,6 +7,10 @@ signal closed
 const SECONDS_BETWEEN_TEXTS := 0.5
 const ROOM_BELOW := 32.0 ## pixels to the lower edge of the screen; longer agendas scroll
 const LEAST_HEIGHT := 80.0
+const WIDTH := 360.0
+const LEAST_WIDTH := 240.0 ## on narrow screens, so that it stands beside the clock
+const LEFT_PANEL := 340.0
+const MARGIN := 16.0
 const DAY_SECONDS := 86400.0
 const WEEK := ["mon", "tue", "wed", "thu", "fri", "sat", "sun"]
 const DOING := { "inside": "is inside", "walking": "is on the way to", "waiting": "waits at", "at-place": "is at" }
@@ -18,7 +22,7 @@ const DIM_COLOR := "#9fb0b8"
 
 var person := -1
 var _age := INF
-var _types := {} ## of buildings, by id
+var _types := {} ## of buildings, zones and objects, by [kind, id]
 
 @onready var _name: Label = %Name
 @onready var _now: Label = %Now
@@ -54,16 +58,19 @@ func write() -> void:
 	_name.text = "%s, %d" % [who["name"], who["age"]]
 	_now.text = describe_now(who)
 	_agenda.text = describe_agenda(who)
+	custom_minimum_size.x = clampf(get_viewport_rect().size.x - LEFT_PANEL - 2.0 * MARGIN, LEAST_WIDTH, WIDTH)
 	var room: float = get_viewport_rect().size.y - _agenda.global_position.y - ROOM_BELOW
 	_agenda.custom_minimum_size.y = clampf(_agenda.get_content_height(), 0.0, maxf(room, LEAST_HEIGHT))
 	reset_size()
+	position = Vector2(get_viewport_rect().size.x - size.x - MARGIN, MARGIN)
 
 
 ## A sentence such as "is on the way to school 12, arrives at 07:58".
 func describe_now(who: Dictionary) -> String:
 	var state: String = who.get("state", "")
 	var place: Dictionary = who.get("place", {})
-	var text: String = "%s %s" % [DOING.get(state, state), _name_of_place(who, place.get("kind", ""), place.get("id", -1))]
+	var doing: String = "sits on" if state == "at-place" and place["kind"] == "object" else DOING.get(state, state)
+	var text: String = "%s %s" % [doing, _name_of_place(who, place.get("kind", ""), place.get("id", -1))]
 	if who.has("arrival"):
 		text += ", arrives at %s" % _clock(who["arrival"])
 	if int(who.get("leader", -1)) not in [-1, person]:
@@ -113,16 +120,33 @@ func _names(persons: PackedInt32Array) -> PackedStringArray:
 func _name_of_place(who: Dictionary, kind: String, id: int) -> String:
 	if kind == "building":
 		return "home" if id == who["home"] else "%s %d" % [_type_of_building(id), id]
-	return "the street" if kind.is_empty() else "the %s" % kind
+	if _types.is_empty():
+		_learn_types()
+	match kind:
+		"":
+			return "the street"
+		"person":
+			return "somebody"
+	return "the %s" % _types.get([kind, id], kind)
 
 
 func _type_of_building(id: int) -> String:
 	if _types.is_empty():
-		for node: Node in get_tree().get_nodes_in_group(&"pcg_entrances"):
-			var door := node as PCGEntrance
-			if door != null and city.is_ancestor_of(door) and not _types.has(door.building_id):
-				_types[door.building_id] = door.type
-	return _types.get(id, "building")
+		_learn_types()
+	return _types.get(["building", id], "building")
+
+
+func _learn_types() -> void:
+	for group: StringName in [&"pcg_entrances", &"pcg_zones", &"pcg_objects"]:
+		for node: Node in get_tree().get_nodes_in_group(group):
+			if not city.is_ancestor_of(node):
+				continue
+			if node is PCGEntrance and not _types.has(["building", (node as PCGEntrance).building_id]):
+				_types[["building", (node as PCGEntrance).building_id]] = (node as PCGEntrance).type
+			elif node is PCGZone:
+				_types[["zone", (node as PCGZone).zone_id]] = (node as PCGZone).type
+			elif node is PCGObject:
+				_types[["object", (node as PCGObject).object_id]] = (node as PCGObject).type
 
 
 ## Seconds of the day as hours and minutes; days before and after do not show.

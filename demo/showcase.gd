@@ -3,7 +3,7 @@ extends Node3D
 ##
 ## Saves a picture and ends when it is started with
 ##
-##     godot --path . demo/showcase.tscn -- --screenshot FILE.png [--hour 7.5,7.9] [--view X,Z,YAW,PITCH,DISTANCE]
+##     godot --path . demo/showcase.tscn -- --screenshot FILE.jpg [--hour 7.5,7.9] [--view X,Z,YAW,PITCH,DISTANCE]
 ##         [--person ID] [--heat all] [--ui-scale 2]
 ##
 ## docs/results.md says how its pictures were taken.
@@ -13,6 +13,7 @@ const FRAMES_BEFORE_PICTURE := 8 ## shadows and sky need a few
 const HOURS_LIVED_BEFORE_PICTURE := 0.25 ## rather than jumped over, so that nobody has just set out
 const FOLLOW_DISTANCE := 28.0 ## metres
 const SHOULDERS := Vector3(0.0, 1.2, 0.0)
+const QUALITY := 0.88 ## of pictures in JPEG
 const USUAL_DPI := 96.0
 
 @export var city: PCGCity
@@ -103,7 +104,7 @@ func _take_pictures() -> void:
 		citizens.jump_to(citizens.day, (hour - HOURS_LIVED_BEFORE_PICTURE) * SECONDS_PER_HOUR)
 		citizens.advance(HOURS_LIVED_BEFORE_PICTURE * SECONDS_PER_HOUR)
 		var name_of_hour: String = "" if hours.size() == 1 else citizens.get_clock_text().replace(":", "")
-		error = await _take_picture("%s%s.png" % [path.get_basename(), name_of_hour])
+		error = await _take_picture("%s%s.%s" % [path.get_basename(), name_of_hour, path.get_extension()])
 	get_tree().quit(0 if error == OK else 1)
 
 
@@ -112,4 +113,5 @@ func _take_picture(path: String) -> Error:
 		citizens.advance(0.0) # scenes come a few a frame
 		await get_tree().process_frame
 	await RenderingServer.frame_post_draw
-	return get_viewport().get_texture().get_image().save_png(path)
+	var picture: Image = get_viewport().get_texture().get_image()
+	return picture.save_jpg(path, QUALITY) if path.get_extension() == "jpg" else picture.save_png(path)

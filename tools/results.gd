@@ -7,8 +7,9 @@ extends SceneTree
 const DemoCity := preload("res://demo/demo_city.gd")
 const PERSONS := 600
 const LOTS := 300
-const WIDTH := 460 ## pixels of a map
+const WIDTH := 400 ## pixels of a map
 const GAP := 12 ## pixels between maps
+const QUALITY := 0.85
 const DAY_SECONDS := 86400.0
 const WEEKDAY := "res://rules/agenda/weekday.pcg"
 ## Shares of lots by quarter: north-west, north-east, south-west, south-east. Parks are everywhere.
@@ -50,7 +51,7 @@ func _run() -> void:
 		var maps: Array[Image] = []
 		for map: Array in PICTURES[picture]:
 			maps.append(_live(map[0], map[1]))
-		is_good = is_good and _side_by_side(maps).save_png(_folder.path_join(picture + ".png")) == OK
+		is_good = is_good and _side_by_side(maps).save_jpg(_folder.path_join(picture + ".jpg"), QUALITY) == OK
 	_city.queue_free()
 	await process_frame
 	quit(0 if is_good else 1)
@@ -83,12 +84,27 @@ func _live(rules: String, group: String) -> Image:
 	citizens.save_heat_map(path, group)
 	var map: Image = Image.load_from_file(path)
 	DirAccess.remove_absolute(path)
+	_tell_ground(citizens, group)
 	map.resize(WIDTH, roundi(float(WIDTH) * map.get_height() / map.get_width()), Image.INTERPOLATE_LANCZOS)
 	var day: Dictionary = citizens.get_statistics()
 	print("%s %s: %d trips, at most %d outside at %s, promises broken: %s" % [rules.get_file(), group, day["trips"], day["peak_outside"],
 			day["peak_clock"], citizens.get_broken_promises().values()])
 	citizens.queue_free()
 	return map
+
+
+## How much ground was entered, and how much of what children entered adults did, too. A pixel of the overlay is a metre wide.
+func _tell_ground(citizens: CitizenManager, group: String) -> void:
+	var heat: Image = citizens.get_heat_image(group)
+	var adults: Image = citizens.get_heat_image("adults")
+	var entered := 0
+	var shared := 0
+	for y: int in heat.get_height():
+		for x: int in heat.get_width():
+			if heat.get_pixel(x, y).a > 0.0:
+				entered += 1
+				shared += int(adults.get_pixel(x, y).a > 0.0)
+	print("  %d m² were entered, %.1f %% of them by adults" % [entered, 100.0 * shared / maxi(1, entered)])
 
 
 func _side_by_side(maps: Array[Image]) -> Image:

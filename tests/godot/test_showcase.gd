@@ -75,7 +75,7 @@ func test_a_click_follows_somebody_and_shows_the_agenda() -> void:
 	check(panel.visible, "openly")
 	panel.write()
 	var who: Dictionary = _citizens.get_person(picked)
-	check(panel.describe_now(who).contains("on the way to") or panel.describe_now(who).contains("is at"), "what they do: %s" % panel.describe_now(who))
+	check(panel.describe_now(who).contains("on the way to") or panel.describe_now(who).contains("sits on the bench"), "what they do: %s" % panel.describe_now(who))
 	check(panel.describe_agenda(who).contains("weekday.pcg:"), "and why")
 	check(_scene.call(&"find_followed") is Vector3, "the camera knows where they are")
 	for frame: int in 60:
@@ -87,7 +87,7 @@ func test_a_click_follows_somebody_and_shows_the_agenda() -> void:
 	check(not panel.visible, "lets go")
 
 
-func test_a_bench_can_be_dragged_away() -> void:
+func test_a_bench_that_is_dragged_away_is_gone_for_those_who_sat_there() -> void:
 	_live_until(10.0)
 	var hand: DemoHand = _scene.get_node("Hand")
 	var sitter := -1
@@ -106,6 +106,13 @@ func test_a_bench_can_be_dragged_away() -> void:
 	hand.put_down()
 	check(bench.global_position.distance_to(before) > 50.0, "it stands elsewhere")
 	check_near(bench.global_position.y, before.y, 0.001, "on the ground")
+	await get_tree().process_frame # the city takes it in
+	await get_tree().process_frame
+	for step: int in 15 * 60:
+		_citizens.advance(1.0)
+	var after: Dictionary = _citizens.get_person(sitter)
+	check(after["position"].distance_to(seat) > 1.0, "who sat there has got up: %s" % [after])
+	_check_promises()
 
 
 func test_the_panel_sets_speed_and_hour_and_shows_the_heat() -> void:
