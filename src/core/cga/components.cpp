@@ -82,9 +82,14 @@ std::vector<ComponentInfo> shared_edges(const Geometry &geometry) {
 }
 
 std::vector<ComponentInfo> edges_by_face(const Geometry &geometry) {
+	const std::vector<FaceEdge> edges = face_edges(geometry);
 	std::vector<ComponentInfo> result;
-	for (const FaceEdge &edge : face_edges(geometry)) {
-		const glm::dvec3 normal = component_normal(geometry, geometry.faces[edge.face]);
+	result.reserve(edges.size());
+	glm::dvec3 normal(0.0);
+	uint32_t last = UINT32_MAX;
+	for (const FaceEdge &edge : edges) {
+		normal = edge.face != last ? component_normal(geometry, geometry.faces[edge.face]) : normal;
+		last = edge.face;
 		ComponentInfo info;
 		info.component = { unit(glm::cross(edge.to - edge.from, normal), normal), true };
 		info.face = edge.face;

@@ -100,8 +100,8 @@ private:
 		if (covered.empty()) {
 			return false;
 		}
-		std::vector<Loops2> rest = overlay(face.loops(), covered, OverlayKind::Difference);
-		std::erase_if(rest, [](const Loops2 &polygon) { return size_of(polygon) < smallest_piece; });
+		Polygons2 rest = overlay(face.loops(), covered, OverlayKind::Difference);
+		erase_if(rest, [](const Loops2 &polygon) { return size_of(polygon) < smallest_piece; });
 		double size = 0.0;
 		for (const Loops2 &polygon : rest) {
 			size += size_of(polygon);

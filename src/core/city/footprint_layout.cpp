@@ -39,7 +39,7 @@ Box box_of(const Loop2 &loop) {
 	return box;
 }
 
-double area_of_all(const std::vector<Loops2> &polygons) {
+double area_of_all(const Polygons2 &polygons) {
 	double area = 0.0;
 	for (const Loops2 &polygon : polygons) {
 		for (const Loop2 &loop : polygon) {
@@ -185,7 +185,7 @@ private:
 		std::sort(near.begin(), near.end());
 		near.erase(std::unique(near.begin(), near.end()), near.end());
 		const Loops2 whole{ tile_box(tile).outline() };
-		for (const Loops2 &open : built.empty() ? std::vector<Loops2>{ whole } : overlay(whole, built, OverlayKind::Difference)) {
+		for (const Loops2 &open : built.empty() ? Polygons2{ whole } : overlay(whole, built, OverlayKind::Difference)) {
 			for (const Loops2 &part : convex_parts(open, INFINITY)) {
 				for (uint32_t block : near) {
 					_layout.blocks[block].pavements.push_back(uint32_t(_layout.ground.size()));

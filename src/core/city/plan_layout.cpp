@@ -67,7 +67,7 @@ private:
 		if (clean.size() < 3 || signed_area(clean) < 1e-4) {
 			return;
 		}
-		std::vector<Loops2> parts{ { clean } };
+		Polygons2 parts{ { clean } };
 		if (!is_convex(clean)) {
 			parts = convex_parts({ without_straight_points(clean, same_place) }, INFINITY);
 		}
@@ -103,7 +103,9 @@ private:
 		for (const StreetEdges::Arm &arm : _edges.arms(node)) {
 			const glm::dvec2 side = glm::dvec2(-arm.direction.y, arm.direction.x) * arm.half_width;
 			const glm::dvec2 end = _plan.nodes[node] + arm.direction * arm.cut;
-			loop.insert(loop.end(), { end - side, end + side, arm.corner });
+			for (const glm::dvec2 corner : { end - side, end + side, arm.corner }) {
+				loop.push_back(corner);
+			}
 		}
 		add_ground(GroundKind::Junction, loop, BlockId::Invalid, no_street);
 	}
@@ -189,7 +191,7 @@ private:
 
 glm::vec3 to_ground(glm::dvec2 point) { return { float(point.x), 0.0f, float(-point.y) }; }
 
-std::vector<glm::vec3> to_ground(const std::vector<glm::dvec2> &points) {
+std::vector<glm::vec3> to_ground(std::span<const glm::dvec2> points) {
 	std::vector<glm::vec3> result;
 	for (const glm::dvec2 &point : points) {
 		result.push_back(to_ground(point));

@@ -11,7 +11,7 @@ std::optional<Layout> layout_of_plan(const StreetPlan &plan, const LayoutParamet
 
 // From the plan (x east, y north) to the world.
 glm::vec3 to_ground(glm::dvec2 point);
-std::vector<glm::vec3> to_ground(const std::vector<glm::dvec2> &points);
+std::vector<glm::vec3> to_ground(std::span<const glm::dvec2> points);
 
 // Sets min and max from the outline, and the tiles.
 void frame_layout(Layout &layout);

@@ -125,12 +125,12 @@ bool join_holes(Loops2 polygon, double max_length, Loop2 &loop) {
 		if (from == 0) { // begin with the first edge still
 			std::ranges::rotate(loop, loop.begin() + std::ptrdiff_t(bridge.size()));
 		}
-		polygon.erase(polygon.begin() + std::ptrdiff_t(hole));
+		polygon.erase(polygon.begin() + std::ptrdiff_t(hole), polygon.begin() + std::ptrdiff_t(hole) + 1);
 	}
 	return true;
 }
 
-std::vector<Loops2> triangles_of(const Loops2 &polygon) {
+Polygons2 triangles_of(const Loops2 &polygon) {
 	Loop2 points;
 	std::vector<uint32_t> ends, indices;
 	for (const Loop2 &loop : polygon) {
@@ -138,7 +138,7 @@ std::vector<Loops2> triangles_of(const Loops2 &polygon) {
 		ends.push_back(uint32_t(points.size()));
 	}
 	triangulate(points, ends, indices);
-	std::vector<Loops2> parts;
+	Polygons2 parts;
 	for (size_t i = 0; i + 2 < indices.size(); i += 3) {
 		parts.push_back({ { points[indices[i]], points[indices[i + 1]], points[indices[i + 2]] } });
 	}
@@ -147,7 +147,7 @@ std::vector<Loops2> triangles_of(const Loops2 &polygon) {
 
 } // namespace
 
-std::vector<Loops2> convex_parts(const Loops2 &polygon, double max_length) {
+Polygons2 convex_parts(const Loops2 &polygon, double max_length) {
 	size_t count = 0;
 	for (const Loop2 &loop : polygon) {
 		count += loop.size();
@@ -159,7 +159,7 @@ std::vector<Loops2> convex_parts(const Loops2 &polygon, double max_length) {
 	if (count < 3 || !join_holes(polygon, max_length, whole)) {
 		return { polygon };
 	}
-	std::vector<Loops2> parts;
+	Polygons2 parts;
 	std::vector<Loop2> waiting = { whole }; // last first
 	while (!waiting.empty()) {
 		const Loop2 loop = std::move(waiting.back());

@@ -10,7 +10,7 @@ namespace pcg {
 
 namespace {
 
-using Loop = std::vector<glm::dvec2>;
+using Loop = Loop2;
 
 constexpr double tiny = 1e-9;
 

@@ -269,17 +269,17 @@ private:
 
 } // namespace
 
-std::vector<Loops2> overlay(const Loops2 &first, const Loops2 &second, OverlayKind kind) {
+Polygons2 overlay(const Loops2 &first, const Loops2 &second, OverlayKind kind) {
 	if (first.empty() || first[0].empty()) {
-		return kind == OverlayKind::Union && !second.empty() ? overlay(second, {}, kind) : std::vector<Loops2>();
+		return kind == OverlayKind::Union && !second.empty() ? overlay(second, {}, kind) : Polygons2();
 	}
 	std::vector<Loop2> loops = Arrangement(first, second).boundary(kind);
 	std::ranges::stable_sort(loops, std::greater(), [](const Loop2 &loop) { return signed_area(loop); });
 	return group_loops(loops);
 }
 
-std::vector<Loops2> group_loops(const Loops2 &loops) {
-	std::vector<Loops2> polygons;
+Polygons2 group_loops(const Loops2 &loops) {
+	Polygons2 polygons;
 	for (const Loop2 &loop : loops) {
 		if (signed_area(loop) > 0.0) {
 			polygons.push_back({ loop });

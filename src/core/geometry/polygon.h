@@ -8,8 +8,15 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "core/base/small_vector.h"
+
 // Plain polygons in space: a loop of points, counter-clockwise seen from the side that it looks to.
 namespace pcg {
+
+// In a plane; most have few corners and no hole.
+using Loop2 = SmallVector<glm::dvec2, 6>;
+using Loops2 = SmallVector<Loop2, 1>; // of one polygon: the outline counter-clockwise, then holes clockwise
+using Polygons2 = SmallVector<Loops2, 1>;
 
 // Twice the area, in the direction of the normal (Newell's method): sound for concave and slightly warped loops.
 glm::dvec3 area_vector(std::span<const glm::dvec3> loop);

@@ -30,7 +30,7 @@ double top_of(const StraightSkeleton &skeleton) {
 RoofFace bottom_of(const RoofOutline &outline) {
 	RoofFace bottom{ RoofPart::Bottom, 0, {}, {} };
 	for (size_t l = 0; l < outline.size(); ++l) {
-		std::vector<glm::dvec3> loop;
+		RoofLoop loop;
 		for (const glm::dvec2 &point : outline[l]) {
 			loop.push_back({ point, 0.0 });
 		}
@@ -47,10 +47,13 @@ RoofFace bottom_of(const RoofOutline &outline) {
 using PointKey = std::pair<int64_t, int64_t>;
 
 // A tenth of a millimetre: finer than any roof detail, coarser than the skeleton's rounding.
-PointKey key_of(glm::dvec2 point) { return { std::llround(point.x * 1e4), std::llround(point.y * 1e4) }; }
+PointKey key_of(glm::dvec2 point) {
+	const auto round = [](double value) { return int64_t(value * 1e4 + (value < 0.0 ? -0.5 : 0.5)); };
+	return { round(point.x), round(point.y) };
+}
 
 // Ridge vertices (where planes meet above the eaves) all at their mean height, and with them the tops of gables.
-void level_ridge(std::vector<RoofFace> &faces) {
+void level_ridge(RoofFaces &faces) {
 	double eaves = endless;
 	std::map<PointKey, double> heights;
 	for (const RoofFace &face : faces) {
@@ -81,27 +84,58 @@ void level_ridge(std::vector<RoofFace> &faces) {
 
 bool is_hip_end(const RoofFace &face) { return face.part == RoofPart::Plane && face.outline.size() == 3; }
 
-// How many of the planes use the point: three at a simple end of a ridge, four or more where ridges meet.
-std::map<PointKey, int> count_uses(const std::vector<RoofFace> &faces) {
-	std::map<PointKey, int> uses;
-	for (const RoofFace &face : faces) {
-		for (const glm::dvec3 &point : face.outline) {
-			++uses[key_of(point)];
+// The corners of roof planes: those in one place have one number, which they keep when they are moved.
+class RoofCorners {
+public:
+	explicit RoofCorners(RoofFaces &faces) : _faces(faces) {
+		SmallVector<PointKey, 16> keys;
+		for (const RoofFace &face : faces) {
+			auto &numbers = _numbers.emplace_back();
+			for (const glm::dvec3 &point : face.outline) {
+				const PointKey key = key_of(point);
+				const auto found = std::ranges::find(keys, key);
+				numbers.push_back(uint32_t(found - keys.begin()));
+				if (found == keys.end()) {
+					keys.push_back(key);
+				}
+			}
 		}
 	}
-	return uses;
-}
+
+	uint32_t number(size_t face, size_t corner) const { return _numbers[face][corner]; }
+	// How many of the planes use it: three at a simple end of a ridge, four or more where ridges meet.
+	int uses(uint32_t number) const {
+		int result = 0;
+		for (const auto &numbers : _numbers) {
+			result += int(std::ranges::count(numbers, number));
+		}
+		return result;
+	}
+	void move(uint32_t number, glm::dvec3 to) {
+		for (size_t f = 0; f < _faces.size(); ++f) {
+			for (size_t i = 0; i < _faces[f].outline.size(); ++i) {
+				if (_numbers[f][i] == number) {
+					_faces[f].outline[i] = to;
+				}
+			}
+		}
+	}
+
+private:
+	RoofFaces &_faces;
+	SmallVector<SmallVector<uint32_t, 6>, 6> _numbers; // by face and corner
+};
 
 // The direction in which the ridge arrives at the apex of a hip end, from the neighbouring planes; zero if there is none.
-glm::dvec3 ridge_direction(const std::vector<RoofFace> &faces, const RoofFace &end) {
-	const glm::dvec3 apex = end.outline[2];
-	for (const RoofFace &face : faces) {
-		const size_t count = face.outline.size();
-		for (size_t i = 0; i < count && &face != &end; ++i) {
-			const glm::dvec3 a = face.outline[i], b = face.outline[(i + 1) % count];
-			const bool is_apex_first = key_of(a) == key_of(apex), is_apex_second = key_of(b) == key_of(apex);
-			const glm::dvec3 other = is_apex_first ? b : a;
-			if (is_apex_first != is_apex_second && other.z > end.outline[0].z + 1e-6 && count > 3) {
+glm::dvec3 ridge_direction(const RoofFaces &faces, const RoofCorners &corners, size_t end) {
+	const glm::dvec3 apex = faces[end].outline[2];
+	for (size_t f = 0; f < faces.size(); ++f) {
+		const size_t count = faces[f].outline.size();
+		for (size_t i = 0; i < count && count > 3; ++i) {
+			const size_t next = i + 1 < count ? i + 1 : 0;
+			const bool is_apex_first = corners.number(f, i) == corners.number(end, 2), is_apex_second = corners.number(f, next) == corners.number(end, 2);
+			const glm::dvec3 other = faces[f].outline[is_apex_first ? next : i];
+			if (is_apex_first != is_apex_second && other.z > faces[end].outline[0].z + 1e-6) {
 				return apex - other;
 			}
 		}
@@ -117,23 +151,13 @@ glm::dvec3 meet_wall(glm::dvec3 point, glm::dvec3 direction, glm::dvec2 a, glm::
 }
 
 // The eave of the plane beside a hip end, at its first or second corner; `fallback` if that plane has none there.
-glm::dvec3 eave_direction(const std::vector<RoofFace> &faces, const RoofFace &end, size_t corner, glm::dvec3 fallback) {
-	for (const RoofFace &face : faces) {
-		if (&face != &end && face.part == RoofPart::Plane && key_of(face.outline[1 - corner]) == key_of(end.outline[corner])) {
-			return face.outline[1] - face.outline[0];
+glm::dvec3 eave_direction(const RoofFaces &faces, const RoofCorners &corners, size_t end, size_t corner, glm::dvec3 fallback) {
+	for (size_t f = 0; f < faces.size(); ++f) {
+		if (f != end && faces[f].part == RoofPart::Plane && corners.number(f, 1 - corner) == corners.number(end, corner)) {
+			return faces[f].outline[1] - faces[f].outline[0];
 		}
 	}
 	return fallback;
-}
-
-void move_point(std::vector<RoofFace> &faces, glm::dvec3 from, glm::dvec3 to) {
-	for (RoofFace &face : faces) {
-		for (glm::dvec3 &point : face.outline) {
-			if (key_of(point) == key_of(from)) {
-				point = to;
-			}
-		}
-	}
 }
 
 // End points of an edge that counts through all loops.
@@ -154,26 +178,27 @@ bool leaves(glm::dvec3 line, glm::dvec2 side) {
 }
 
 // Stands the triangular ends upright on the walls: ridge and eaves run on to a line that is `beyond` the wall, so that planes stay planes.
-void raise_gables(std::vector<RoofFace> &faces, const RoofOutline &outline, double beyond) {
-	const std::map<PointKey, int> uses = count_uses(faces);
-	for (RoofFace &end : faces) {
-		if (!is_hip_end(end) || uses.at(key_of(end.outline[2])) != 3) {
+void raise_gables(RoofFaces &faces, const RoofOutline &outline, double beyond) {
+	RoofCorners numbered(faces);
+	for (size_t f = 0; f < faces.size(); ++f) {
+		RoofFace &end = faces[f];
+		if (!is_hip_end(end) || numbered.uses(numbered.number(f, 2)) != 3) {
 			continue;
 		}
-		const glm::dvec3 ridge = ridge_direction(faces, end);
+		const glm::dvec3 ridge = ridge_direction(faces, numbered, f);
 		const auto [start, stop] = edge_of(outline, end.edge);
 		const glm::dvec2 side = glm::normalize(stop - start), gap = glm::dvec2(side.y, -side.x) * beyond;
 		const glm::dvec3 top = meet_wall(end.outline[2], ridge, start, stop);
 		const double along = glm::dot(glm::dvec2(top) - start, side);
-		const glm::dvec3 directions[] = { eave_direction(faces, end, 0, ridge), eave_direction(faces, end, 1, ridge), ridge };
+		const glm::dvec3 directions[] = { eave_direction(faces, numbered, f, 0, ridge), eave_direction(faces, numbered, f, 1, ridge), ridge };
 		// Beside an inner corner the ridge would miss its wall; a wall that goes straight on is no end.
 		const bool is_end = along > 0.0 && along < glm::distance(start, stop) && top.z > 0.0;
 		if (!is_end || !std::ranges::all_of(directions, [&](glm::dvec3 line) { return leaves(line, side); })) {
 			continue;
 		}
-		const std::vector<glm::dvec3> corners = end.outline;
+		const RoofLoop corners = end.outline;
 		for (size_t i = 0; i < corners.size(); ++i) {
-			move_point(faces, corners[i], meet_wall(corners[i], directions[i], start + gap, stop + gap));
+			numbered.move(numbered.number(f, i), meet_wall(corners[i], directions[i], start + gap, stop + gap));
 		}
 		end = { RoofPart::Gable, end.edge, { { start, 0.0 }, { stop, 0.0 }, top }, {} };
 	}
@@ -181,7 +206,7 @@ void raise_gables(std::vector<RoofFace> &faces, const RoofOutline &outline, doub
 
 // A square-like outline has a point where others have a ridge. The planes of edges 0 and 2 share it as a ridge of a millimetre, so that the ends
 // 1 and 3 become gables like any other.
-void open_point_ridge(std::vector<RoofFace> &faces) {
+void open_point_ridge(RoofFaces &faces) {
 	bool is_point = faces.size() == 4 && std::all_of(faces.begin(), faces.end(), is_hip_end);
 	for (size_t i = 0; i < 4 && is_point; ++i) {
 		const glm::dvec2 before(faces[i].outline[1] - faces[i].outline[0]), next = faces[(i + 1) % 4].outline[1] - faces[(i + 1) % 4].outline[0];
@@ -204,7 +229,7 @@ void open_point_ridge(std::vector<RoofFace> &faces) {
 }
 
 // Roof planes over the skeleton of the outline grown by the overhang; heights are 0 above the original edges.
-std::vector<RoofFace> hip_planes(const RoofOutline &outline, RoofSlope slope, double overhang, bool &is_complete) {
+RoofFaces hip_planes(const RoofOutline &outline, RoofSlope slope, double overhang, bool &is_complete) {
 	double rise = slope.is_height ? 0.0 : std::tan(glm::radians(slope.value));
 	if (slope.is_height) {
 		const double top = top_of(straight_skeleton(outline, {}, endless));
@@ -214,7 +239,7 @@ std::vector<RoofFace> hip_planes(const RoofOutline &outline, RoofSlope slope, do
 	const OutlineWithEdges eaves = reach > 1e-9 ? grow_outline(outline, reach) : OutlineWithEdges{ outline, {} };
 	const StraightSkeleton skeleton = straight_skeleton(eaves.loops, {}, endless);
 	is_complete = skeleton.is_complete;
-	std::vector<RoofFace> faces;
+	RoofFaces faces;
 	for (const SkeletonFace &swept : skeleton.faces) {
 		RoofFace face{ RoofPart::Plane, eaves.edges.empty() ? swept.edge : eaves.edges[swept.edge], {}, {} };
 		for (const SkeletonVertex &vertex : swept.outline) {
@@ -222,12 +247,14 @@ std::vector<RoofFace> hip_planes(const RoofOutline &outline, RoofSlope slope, do
 		}
 		faces.push_back(std::move(face));
 	}
-	std::stable_sort(faces.begin(), faces.end(), [](const RoofFace &a, const RoofFace &b) { return a.edge < b.edge; });
+	if (!std::ranges::is_sorted(faces, {}, &RoofFace::edge)) {
+		std::ranges::stable_sort(faces, {}, &RoofFace::edge);
+	}
 	return faces;
 }
 
-std::vector<RoofFace> gable_planes(const RoofOutline &outline, RoofSlope slope, double overhang_eaves, double overhang_gables, bool is_even, bool &is_complete) {
-	std::vector<RoofFace> faces = hip_planes(outline, slope, overhang_eaves, is_complete);
+RoofFaces gable_planes(const RoofOutline &outline, RoofSlope slope, double overhang_eaves, double overhang_gables, bool is_even, bool &is_complete) {
+	RoofFaces faces = hip_planes(outline, slope, overhang_eaves, is_complete);
 	open_point_ridge(faces);
 	raise_gables(faces, outline, overhang_gables);
 	if (is_even && !faces.empty()) {
@@ -253,11 +280,11 @@ RoofSlope with_angle(const RoofOutline &outline, RoofSlope slope, bool is_even) 
 
 struct Inverted {
 	RoofOutline loops;
-	std::vector<double> speeds;
-	std::vector<uint32_t> sources; // of each edge
+	SmallVector<double, 8> speeds;
+	SmallVector<uint32_t, 8> sources; // of each edge
 };
 
-double signed_area(const std::vector<glm::dvec2> &points) {
+double signed_area(const Loop2 &points) {
 	double twice = 0.0;
 	for (size_t i = 0; i < points.size(); ++i) {
 		const glm::dvec2 a = points[i], b = points[(i + 1) % points.size()];
@@ -278,7 +305,7 @@ Inverted invert(const RoofOutline &outline, double distance) {
 	// Mitres reach further than the distance; a corner sharper than about 6 degrees is cut by the frame.
 	low -= 20.0 * distance;
 	high += 20.0 * distance;
-	Inverted inverted{ { { low, { high.x, low.y }, high, { low.x, high.y } } }, std::vector<double>(4, 0.0), std::vector<uint32_t>(4, 0) };
+	Inverted inverted{ { { low, { high.x, low.y }, high, { low.x, high.y } } }, SmallVector<double, 8>(4, 0.0), SmallVector<uint32_t, 8>(4, 0) };
 	uint32_t first = 0;
 	for (const auto &loop : outline) {
 		const uint32_t count = uint32_t(loop.size());
@@ -343,7 +370,7 @@ Roof roof_pyramid(const RoofOutline &outline, RoofSlope slope) {
 		roof.is_complete = false;
 		return roof;
 	}
-	const std::vector<glm::dvec2> &loop = outline[0];
+	const Loop2 &loop = outline[0];
 	glm::dvec2 middle(0.0);
 	for (const glm::dvec2 &point : loop) {
 		middle += point / double(loop.size());

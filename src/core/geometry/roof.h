@@ -6,12 +6,15 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "core/geometry/polygon.h"
+
 // Roofs over a polygon with holes, as faces (CGA reference: op_roofHip, op_roofGable, op_roofShed, op_roofPyramid, op_roofRidge). The
 // polygon lies in the plane z = 0 of its own frame, the roof rises along z. Lengths in metres, angles in degrees.
 namespace pcg {
 
 // Loops as in straight_skeleton(): the outline counter-clockwise, holes clockwise. Edges count through all loops.
-using RoofOutline = std::vector<std::vector<glm::dvec2>>;
+using RoofOutline = Loops2;
+using RoofLoop = SmallVector<glm::dvec3, 6>;
 
 enum class RoofPart : uint8_t {
 	Bottom, // the polygon itself, looking down
@@ -23,12 +26,14 @@ struct RoofFace {
 	RoofPart part = RoofPart::Plane;
 	uint32_t edge = 0; // the edge that it stands on; of a Bottom: 0
 	// Counter-clockwise seen from outside. Planes and gables begin with their edge (of an overhanging roof: with its eave).
-	std::vector<glm::dvec3> outline;
-	std::vector<std::vector<glm::dvec3>> holes; // of a Bottom only
+	RoofLoop outline;
+	std::vector<RoofLoop> holes; // of a Bottom only
 };
 
+using RoofFaces = SmallVector<RoofFace, 6>;
+
 struct Roof {
-	std::vector<RoofFace> faces; // planes and gables in order of edges (of a shed: walls, then the plane), then the bottom
+	RoofFaces faces; // planes and gables in order of edges (of a shed: walls, then the plane), then the bottom
 	bool is_complete = true; // false: the outline is not simple; what could be made is there
 };
 

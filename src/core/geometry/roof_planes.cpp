@@ -33,12 +33,10 @@ struct Profile {
 	}
 };
 
-using Loop = std::vector<glm::dvec2>;
-
 // The edge of the outline that runs from one point to the other; `fallback` if none does.
 uint32_t find_edge(const RoofOutline &outline, glm::dvec2 from, glm::dvec2 to, uint32_t fallback) {
 	uint32_t index = 0;
-	for (const Loop &loop : outline) {
+	for (const Loop2 &loop : outline) {
 		for (size_t i = 0; i < loop.size(); ++i, ++index) {
 			if (glm::distance(loop[i], from) < tiny && glm::distance(loop[(i + 1) % loop.size()], to) < tiny) {
 				return index;
@@ -49,7 +47,7 @@ uint32_t find_edge(const RoofOutline &outline, glm::dvec2 from, glm::dvec2 to, u
 }
 
 // The outline starts at its lowest edge: an eave where there is one.
-void start_at_eave(std::vector<glm::dvec3> &outline) {
+void start_at_eave(RoofLoop &outline) {
 	size_t best = 0;
 	double lowest = std::numeric_limits<double>::infinity();
 	for (size_t i = 0; i < outline.size(); ++i) {
@@ -68,7 +66,7 @@ void add_plane(Roof &roof, const RoofOutline &part, const Profile &profile, cons
 	}
 	RoofFace face;
 	for (size_t l = 0; l < part.size(); ++l) {
-		std::vector<glm::dvec3> loop;
+		RoofLoop loop;
 		for (const glm::dvec2 &point : part[l]) {
 			loop.push_back({ point, profile.height(point) });
 		}
@@ -114,7 +112,7 @@ std::vector<RoofOutline> side_of_ridge(const RoofOutline &outline, const Profile
 }
 
 // The wall between the base and the roof along one edge, with the ridge's point where the edge crosses it.
-void add_wall(Roof &roof, uint32_t edge, const std::vector<glm::dvec3> &top) {
+void add_wall(Roof &roof, uint32_t edge, const RoofLoop &top) {
 	RoofFace wall{ RoofPart::Gable, edge, { { top.front().x, top.front().y, 0.0 }, { top.back().x, top.back().y, 0.0 } }, {} };
 	for (size_t i = top.size(); i-- > 0;) {
 		if (top[i].z > tiny) {
@@ -128,10 +126,10 @@ void add_wall(Roof &roof, uint32_t edge, const std::vector<glm::dvec3> &top) {
 
 void add_walls(Roof &roof, const RoofOutline &outline, const Profile &profile) {
 	uint32_t index = 0;
-	for (const Loop &loop : outline) {
+	for (const Loop2 &loop : outline) {
 		for (size_t i = 0; i < loop.size(); ++i, ++index) {
 			const glm::dvec2 a = loop[i], b = loop[(i + 1) % loop.size()];
-			std::vector<glm::dvec3> top = { { a, profile.height(a) } };
+			RoofLoop top = { { a, profile.height(a) } };
 			const double da = glm::dot(profile.normal, a) - profile.offset, db = glm::dot(profile.normal, b) - profile.offset;
 			if (profile.has_ridge && ((da > tiny && db < -tiny) || (da < -tiny && db > tiny))) {
 				const glm::dvec2 ridge = a + (b - a) * (da / (da - db));
@@ -146,7 +144,7 @@ void add_walls(Roof &roof, const RoofOutline &outline, const Profile &profile) {
 void add_bottom(Roof &roof, const RoofOutline &outline) {
 	RoofFace bottom{ RoofPart::Bottom, 0, {}, {} };
 	for (size_t l = 0; l < outline.size(); ++l) {
-		std::vector<glm::dvec3> loop;
+		RoofLoop loop;
 		for (const glm::dvec2 &point : outline[l]) {
 			loop.push_back({ point, 0.0 });
 		}
@@ -164,7 +162,7 @@ void sort_by_edge(Roof &roof) {
 	std::stable_sort(roof.faces.begin(), roof.faces.end(), [](const RoofFace &a, const RoofFace &b) { return a.edge < b.edge; });
 }
 
-void extent(const Loop &loop, glm::dvec2 normal, double &low, double &high) {
+void extent(const Loop2 &loop, glm::dvec2 normal, double &low, double &high) {
 	low = std::numeric_limits<double>::infinity();
 	high = -low;
 	for (const glm::dvec2 &point : loop) {
@@ -177,14 +175,14 @@ bool is_usable(const RoofOutline &outline) { return !outline.empty() && outline[
 
 // A convex outline with the edges along the ridge moved outwards by `eaves`, the others by `gables`.
 RoofOutline overhanging(const RoofOutline &outline, glm::dvec2 along, double eaves, double gables) {
-	const Loop &loop = outline[0];
+	const Loop2 &loop = outline[0];
 	const size_t count = loop.size();
 	const auto outwards = [&](size_t i) {
 		const glm::dvec2 side = glm::normalize(loop[(i + 1) % count] - loop[i % count]);
 		const bool is_eave = std::abs(glm::dot(side, along)) > 0.7071;
 		return glm::dvec2(side.y, -side.x) * (is_eave ? eaves : gables);
 	};
-	Loop result;
+	Loop2 result;
 	for (size_t i = 0; i < count; ++i) {
 		const glm::dvec2 before = outwards(i + count - 1), after = outwards(i);
 		const glm::dvec2 side = loop[i] - loop[(i + count - 1) % count], next = loop[(i + 1) % count] - loop[i];
@@ -199,7 +197,7 @@ RoofOutline overhanging(const RoofOutline &outline, glm::dvec2 along, double eav
 
 // The same upside down, for negative slopes: z turns round, and with it the way that faces run.
 void turn_over(Roof &roof) {
-	const auto turn = [](std::vector<glm::dvec3> &loop) {
+	const auto turn = [](RoofLoop &loop) {
 		for (glm::dvec3 &point : loop) {
 			point.z = -point.z;
 		}
@@ -245,7 +243,7 @@ Roof roof_shed(const RoofOutline &outline, RoofSlope slope, int edge) {
 		roof.is_complete = false;
 		return roof;
 	}
-	const Loop &loop = outline[0];
+	const Loop2 &loop = outline[0];
 	const int count = int(loop.size());
 	const size_t first = size_t((edge % count + count) % count);
 	const glm::dvec2 a = loop[first], b = loop[(first + 1) % loop.size()];

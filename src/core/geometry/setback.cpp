@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/geometry/overlay.h"
 #include "core/geometry/polygon.h"
 #include "core/geometry/straight_skeleton.h"
 
@@ -41,7 +42,7 @@ Setback unmoved(const Loops2 &polygon, bool is_complete) {
 // A loop with the edge that each of its sides came from.
 struct SourcedLoop {
 	Loop2 points;
-	std::vector<uint32_t> edges;
+	SmallVector<uint32_t, 6> edges;
 	uint32_t first_edge() const { return *std::ranges::min_element(edges); }
 };
 
@@ -52,11 +53,13 @@ SourcedLoop begun_at_lowest_edge(SourcedLoop loop) {
 	return loop;
 }
 
-std::vector<Loops2> polygons_of(std::vector<SourcedLoop> loops) {
+Polygons2 polygons_of(SmallVector<SourcedLoop, 1> loops) {
 	for (SourcedLoop &loop : loops) {
 		loop = begun_at_lowest_edge(std::move(loop));
 	}
-	std::ranges::stable_sort(loops, {}, [](const SourcedLoop &loop) { return loop.edges[0]; });
+	if (loops.size() > 1) {
+		std::ranges::stable_sort(loops, {}, [](const SourcedLoop &loop) { return loop.edges[0]; });
+	}
 	Loops2 points;
 	for (SourcedLoop &loop : loops) {
 		points.push_back(std::move(loop.points));
@@ -84,8 +87,8 @@ double longest_mitre(const Loop2 &loop) {
 	return longest;
 }
 
-std::vector<SetbackStrip> strips_of(const StraightSkeleton &skeleton) {
-	std::vector<SetbackStrip> strips;
+SmallVector<SetbackStrip, 4> strips_of(const StraightSkeleton &skeleton) {
+	SmallVector<SetbackStrip, 4> strips;
 	for (size_t i = 0; i < skeleton.faces.size();) {
 		const uint32_t edge = skeleton.faces[i].edge;
 		Loops2 loops;
@@ -100,7 +103,7 @@ std::vector<SetbackStrip> strips_of(const StraightSkeleton &skeleton) {
 }
 
 // Where they do not, events fell together in a way that the skeleton could not follow.
-bool adds_up(const std::vector<SetbackStrip> &strips, const StraightSkeleton &skeleton, double area) {
+bool adds_up(std::span<const SetbackStrip> strips, const StraightSkeleton &skeleton, double area) {
 	double sum = 0.0;
 	for (const SetbackStrip &strip : strips) {
 		sum += area_of(strip.polygon);
@@ -111,11 +114,106 @@ bool adds_up(const std::vector<SetbackStrip> &strips, const StraightSkeleton &sk
 	return skeleton.is_complete && std::abs(sum - area) <= 1e-6 * area;
 }
 
+// Where the corners of a triangle or of a convex quadrangle are after one unit of time. False: a side vanishes on the way or almost, or the outline
+// is another. The arithmetic is the skeleton's, to the last bit, which finds the same in some hundred steps.
+bool move_corners(const Loop2 &loop, std::span<const double> speeds, Loop2 &moved) {
+	struct Side {
+		glm::dvec2 direction, normal;
+	};
+	glm::dvec2 low = loop[0], high = loop[0];
+	for (const glm::dvec2 &point : loop) {
+		low = glm::min(low, point);
+		high = glm::max(high, point);
+	}
+	const double least = 1e-4 * glm::length(high - low); // of lengths and distances: far from all that the skeleton takes for nothing
+	SmallVector<Side, 4> sides;
+	const size_t count = loop.size();
+	for (size_t i = 0; i < count; ++i) {
+		const glm::dvec2 way = loop[i + 1 < count ? i + 1 : 0] - loop[i];
+		const double length = glm::length(way);
+		if (!(length > least) || !(speeds[i] == 0.0 || speeds[i] > least)) {
+			return false;
+		}
+		const glm::dvec2 direction = way / length;
+		sides.push_back({ direction, { -direction.y, direction.x } });
+	}
+	for (size_t i = 0; i < count; ++i) {
+		const size_t last = i > 0 ? i - 1 : count - 1;
+		const Side &before = sides[last], &after = sides[i];
+		const double sine = before.direction.x * after.direction.y - before.direction.y * after.direction.x;
+		const double cosine = glm::dot(before.direction, after.direction), speed = speeds[last];
+		if (!(sine > 0.01)) { // straight on, or to the right
+			return false;
+		}
+		const double along = (speeds[i] - speed * cosine) / -sine;
+		const glm::dvec2 velocity =
+				speed == speeds[i] ? speed * (before.normal + after.normal) / (1.0 + cosine) : speed * before.normal + along * before.direction;
+		moved.push_back(loop[i] + velocity);
+	}
+	for (size_t i = 0; i < count; ++i) {
+		if (!(glm::dot(moved[i + 1 < count ? i + 1 : 0] - moved[i], sides[i].direction) > least)) {
+			return false;
+		}
+	}
+	return true;
+}
+
+// Most setbacks: of a convex outline that keeps its sides. False: this is another.
+bool set_back_plain(const Loops2 &polygon, std::span<const double> distances, Setback &result) {
+	const size_t count = polygon[0].size();
+	Loop2 moved;
+	if (polygon.size() != 1 || count < 3 || count > 4 || !move_corners(polygon[0], distances, moved)) {
+		return false;
+	}
+	for (size_t i = 0; i < count; ++i) {
+		const size_t next = i + 1 < count ? i + 1 : 0;
+		if (distances[i] > 0.0) {
+			result.strips.push_back({ uint32_t(i), { { polygon[0][i], polygon[0][next], moved[next], moved[i] } } });
+		}
+	}
+	result.rest.emplace_back().push_back(std::move(moved));
+	result.is_plain = true;
+	return true;
+}
+
+// The strips of a plain setback if they lie side by side: along their edges and back, or around a hole. Empty: they do not.
+Loops2 chained_strips(const Setback &setback) {
+	const auto strip = [&](size_t i) -> const Loop2 & { return setback.strips[i % setback.strips.size()].polygon[0]; };
+	const size_t count = setback.strips.size();
+	const auto is_neighbor = [&](size_t i) { return strip(i)[1] == strip(i + 1)[0]; };
+	size_t first = 0; // of the chain
+	size_t gaps = 0;
+	for (size_t i = 0; i < count; ++i) {
+		if (count == 1 || !is_neighbor(i)) {
+			first = (i + 1) % count;
+			++gaps;
+		}
+	}
+	if (gaps > 1) {
+		return {};
+	}
+	Loop2 outline, back;
+	for (size_t i = first; i < first + count; ++i) {
+		outline.push_back(strip(i)[0]);
+		back.push_back(strip(i)[3]);
+	}
+	if (gaps == 1) {
+		outline.push_back(strip(first + count - 1)[1]);
+		back.push_back(strip(first + count - 1)[2]);
+		outline.insert(outline.end(), back.rbegin(), back.rend());
+		std::ranges::rotate(outline, std::ranges::find(outline, strip(0)[0]));
+		return { outline };
+	}
+	std::ranges::reverse(back);
+	std::ranges::rotate(back, back.end() - 2);
+	return { outline, back };
+}
+
 // The polygon as a hole in a wide frame that stands still, so that outwards is inwards.
 struct Inverted {
 	Loops2 loops;
-	std::vector<double> speeds;
-	std::vector<uint32_t> sources; // edges of the polygon; of the frame's four nothing
+	SmallVector<double, 8> speeds;
+	SmallVector<uint32_t, 8> sources; // edges of the polygon; of the frame's four nothing
 };
 
 Inverted invert(const Loops2 &polygon, double distance) {
@@ -125,7 +223,7 @@ Inverted invert(const Loops2 &polygon, double distance) {
 		low = glm::min(low, point - reach);
 		high = glm::max(high, point + reach);
 	}
-	Inverted inverted{ { { low, { high.x, low.y }, high, { low.x, high.y } } }, std::vector<double>(4, 0.0), std::vector<uint32_t>(4, UINT32_MAX) };
+	Inverted inverted{ { { low, { high.x, low.y }, high, { low.x, high.y } } }, SmallVector<double, 8>(4, 0.0), SmallVector<uint32_t, 8>(4, UINT32_MAX) };
 	uint32_t first = 0;
 	for (const Loop2 &loop : polygon) {
 		const uint32_t count = uint32_t(loop.size());
@@ -139,7 +237,7 @@ Inverted invert(const Loops2 &polygon, double distance) {
 	return inverted;
 }
 
-SourcedLoop turned_back(const SkeletonFront &front, const std::vector<uint32_t> &sources) {
+SourcedLoop turned_back(const SkeletonFront &front, std::span<const uint32_t> sources) {
 	SourcedLoop loop;
 	const size_t count = front.points.size();
 	for (size_t i = 0; i < count; ++i) {
@@ -151,26 +249,42 @@ SourcedLoop turned_back(const SkeletonFront &front, const std::vector<uint32_t> 
 
 } // namespace
 
-Setback set_back(const Loops2 &polygon, const std::vector<double> &distances) {
+Setback set_back(const Loops2 &polygon, std::span<const double> distances) {
 	const bool is_moving = std::ranges::any_of(distances, [](double d) { return d > 0.0; });
 	if (!is_moving || distances.size() != edge_count(polygon)) {
 		return unmoved(polygon, true);
 	}
+	Setback result;
+	if (set_back_plain(polygon, distances, result)) {
+		return result;
+	}
 	if (is_crossing(polygon)) {
 		return unmoved(polygon, false);
 	}
-	const StraightSkeleton skeleton = straight_skeleton(polygon, distances, 1.0);
-	Setback result;
+	StraightSkeleton skeleton = straight_skeleton(polygon, distances, 1.0);
 	result.strips = strips_of(skeleton);
 	if (!adds_up(result.strips, skeleton, area_of(polygon))) {
 		return unmoved(polygon, false);
 	}
-	std::vector<SourcedLoop> loops;
-	for (const SkeletonFront &front : skeleton.fronts) {
-		loops.push_back({ front.points, front.edges });
+	SmallVector<SourcedLoop, 1> loops;
+	for (SkeletonFront &front : skeleton.fronts) {
+		loops.push_back({ std::move(front.points), std::move(front.edges) });
 	}
 	result.rest = polygons_of(std::move(loops));
 	return result;
+}
+
+Polygons2 joined_strips(const Setback &setback) {
+	if (setback.is_plain) {
+		if (const Loops2 chain = chained_strips(setback); !chain.empty()) {
+			return { chain };
+		}
+	}
+	Loops2 strips;
+	for (const SetbackStrip &strip : setback.strips) {
+		strips.insert(strips.end(), strip.polygon.begin(), strip.polygon.end());
+	}
+	return overlay(strips, {}, OverlayKind::Union);
 }
 
 Setback grow(const Loops2 &polygon, double distance) {
@@ -195,7 +309,7 @@ Setback grow(const Loops2 &polygon, double distance) {
 		}
 	}
 	std::ranges::stable_sort(result.strips, {}, &SetbackStrip::edge);
-	std::vector<SourcedLoop> loops;
+	SmallVector<SourcedLoop, 1> loops;
 	for (const SkeletonFront &front : skeleton.fronts) {
 		if (!std::ranges::all_of(front.edges, [](uint32_t edge) { return edge < 4; })) { // not the frame
 			loops.push_back(turned_back(front, inverted.sources));

@@ -22,7 +22,7 @@ struct FaceBorder {
 
 // How far the way turns to the left from one border to the next.
 double turn_between(const Wavefront &front, const Border &last, const Border &next) {
-	const auto &nodes = front.nodes();
+	const auto nodes = front.nodes();
 	const glm::dvec2 arriving = nodes[last.to].position - nodes[last.from].position;
 	const glm::dvec2 leaving = nodes[next.to].position - nodes[next.from].position;
 	return std::atan2(arriving.x * leaving.y - arriving.y * leaving.x, glm::dot(arriving, leaving));
@@ -45,7 +45,7 @@ const Border *next_border(std::span<FaceBorder> borders, const Wavefront &front,
 }
 
 // Closes the outlines of one edge's face from its directed borders. False if they do not close.
-bool trace_faces(uint32_t edge, std::span<FaceBorder> borders, const Wavefront &front, std::vector<SkeletonFace> &faces) {
+bool trace_faces(uint32_t edge, std::span<FaceBorder> borders, const Wavefront &front, SmallVector<SkeletonFace, 4> &faces) {
 	bool is_closed = true;
 	for (FaceBorder &first : borders) {
 		if (first.is_used) {
@@ -72,13 +72,13 @@ bool trace_faces(uint32_t edge, std::span<FaceBorder> borders, const Wavefront &
 }
 
 // The borders edge by edge, those of one edge in their order; `ends` says where those of each edge end.
-std::vector<FaceBorder> borders_by_edge(const Wavefront &front, std::vector<uint32_t> &ends) {
+SmallVector<FaceBorder, 32> borders_by_edge(const Wavefront &front, SmallVector<uint32_t, 8> &ends) {
 	ends.assign(front.edge_count() + 1, 0);
 	for (const Border &border : front.borders()) {
 		++ends[border.edge + 1];
 	}
 	std::partial_sum(ends.begin(), ends.end(), ends.begin());
-	std::vector<FaceBorder> result(front.borders().size());
+	SmallVector<FaceBorder, 32> result(front.borders().size());
 	for (const Border &border : front.borders()) {
 		result[ends[border.edge]++].border = &border;
 	}
@@ -86,7 +86,7 @@ std::vector<FaceBorder> borders_by_edge(const Wavefront &front, std::vector<uint
 	return result;
 }
 
-bool is_valid_input(const std::vector<std::vector<glm::dvec2>> &loops, const std::vector<double> &speeds, double max_time) {
+bool is_valid_input(const Loops2 &loops, std::span<const double> speeds, double max_time) {
 	size_t edges = 0;
 	for (const auto &loop : loops) {
 		edges += loop.size();
@@ -102,7 +102,7 @@ bool is_valid_input(const std::vector<std::vector<glm::dvec2>> &loops, const std
 
 } // namespace
 
-StraightSkeleton straight_skeleton(const std::vector<std::vector<glm::dvec2>> &loops, const std::vector<double> &speeds, double max_time) {
+StraightSkeleton straight_skeleton(const Loops2 &loops, std::span<const double> speeds, double max_time) {
 	StraightSkeleton skeleton;
 	if (!is_valid_input(loops, speeds, max_time)) {
 		skeleton.is_complete = false;
@@ -110,14 +110,14 @@ StraightSkeleton straight_skeleton(const std::vector<std::vector<glm::dvec2>> &l
 	}
 	Wavefront front(loops, speeds);
 	skeleton.is_complete = front.run(max_time);
-	std::vector<uint32_t> ends;
-	std::vector<FaceBorder> borders = borders_by_edge(front, ends);
+	SmallVector<uint32_t, 8> ends;
+	SmallVector<FaceBorder, 32> borders = borders_by_edge(front, ends);
 	skeleton.faces.reserve(front.edge_count());
 	uint32_t first = 0;
 	for (uint32_t edge = 0; edge < front.edge_count(); first = ends[edge++]) {
 		skeleton.is_complete &= trace_faces(edge, std::span(borders).subspan(first, ends[edge] - first), front, skeleton.faces);
 	}
-	skeleton.fronts = front.fronts();
+	skeleton.fronts = std::move(front.fronts());
 	return skeleton;
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
+#include <span>
 
-#include <glm/vec2.hpp>
+#include "core/geometry/polygon.h"
 
 // The weighted straight skeleton of a polygon with holes: every edge moves inwards at its own speed, and what it sweeps is its face. Hip
 // roofs are the faces raised by time, setbacks are the faces swept until a distance, insets the front that is left (Aichholzer and
@@ -19,24 +19,24 @@ struct SkeletonVertex {
 // touches itself in a point.
 struct SkeletonFace {
 	uint32_t edge = 0;
-	std::vector<SkeletonVertex> outline;
+	SmallVector<SkeletonVertex, 6> outline;
 };
 
 // A loop of the front that is left when the time ran out; counter-clockwise, holes clockwise. edges[i] moved the side from points[i] to the next.
 struct SkeletonFront {
-	std::vector<glm::dvec2> points;
-	std::vector<uint32_t> edges;
+	Loop2 points;
+	SmallVector<uint32_t, 6> edges;
 };
 
 struct StraightSkeleton {
-	std::vector<SkeletonFace> faces; // in order of edges
-	std::vector<SkeletonFront> fronts; // empty if everything was swept
+	SmallVector<SkeletonFace, 4> faces; // in order of edges
+	SmallVector<SkeletonFront, 1> fronts; // empty if everything was swept
 	bool is_complete = true; // false: the outline was not simple or events did not end; what was found is still returned
 };
 
 // `loops`: the outline counter-clockwise, then holes clockwise; edges count through all loops, edge i of a loop runs from its i-th point to
 // the next. `speeds`: metres of inward movement per unit of time, >= 0, one for each edge; empty means 1 for all. The front stops at
 // `max_time`; infinity sweeps all. Cost grows with the square of the edges for each event, which suits buildings.
-StraightSkeleton straight_skeleton(const std::vector<std::vector<glm::dvec2>> &loops, const std::vector<double> &speeds, double max_time);
+StraightSkeleton straight_skeleton(const Loops2 &loops, std::span<const double> speeds, double max_time);
 
 } // namespace pcg

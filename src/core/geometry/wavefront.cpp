@@ -17,7 +17,7 @@ constexpr double never = std::numeric_limits<double>::infinity();
 
 } // namespace
 
-Wavefront::Wavefront(const std::vector<std::vector<glm::dvec2>> &loops, const std::vector<double> &speeds) {
+Wavefront::Wavefront(const Loops2 &loops, std::span<const double> speeds) {
 	glm::dvec2 low(never), high(-never);
 	for (const auto &loop : loops) {
 		for (const glm::dvec2 &point : loop) {
@@ -39,7 +39,7 @@ Wavefront::Wavefront(const std::vector<std::vector<glm::dvec2>> &loops, const st
 }
 
 // Repeated points are left out: their edge has no length and no face.
-void Wavefront::add_loop(const std::vector<glm::dvec2> &loop, const std::vector<double> &speeds) {
+void Wavefront::add_loop(const Loop2 &loop, std::span<const double> speeds) {
 	const size_t count = loop.size();
 	_edge_count += uint32_t(count);
 	const uint32_t first_vertex = uint32_t(_vertices.size());
@@ -241,7 +241,7 @@ bool Wavefront::has_work_left() {
 }
 
 void Wavefront::remove_dead() {
-	std::erase_if(_active, [this](uint32_t v) { return !_vertices[v].is_active; });
+	erase_if(_active, [this](uint32_t v) { return !_vertices[v].is_active; });
 }
 
 void Wavefront::end_vertex(uint32_t vertex, uint32_t node) {
@@ -375,8 +375,8 @@ void Wavefront::swap_links(uint32_t a, uint32_t b, uint32_t node) {
 }
 
 void Wavefront::collect_fronts() {
-	std::vector<bool> is_done(_vertices.size(), false);
-	std::vector<uint32_t> final_node(_vertices.size());
+	SmallVector<bool, 8> is_done(_vertices.size(), false);
+	SmallVector<uint32_t, 8> final_node(_vertices.size());
 	for (uint32_t v : _active) {
 		final_node[v] = add_node(_vertices[v].position);
 		add_border(_vertices[v].before_edge, _vertices[v].birth, final_node[v]);

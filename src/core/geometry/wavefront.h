@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
+#include <span>
 
 #include <glm/vec2.hpp>
 
@@ -13,7 +13,7 @@ namespace pcg {
 
 class Wavefront {
 public:
-	Wavefront(const std::vector<std::vector<glm::dvec2>> &loops, const std::vector<double> &speeds);
+	Wavefront(const Loops2 &loops, std::span<const double> speeds);
 
 	// Moves the front to `max_time` or until nothing is left. False if the events did not end.
 	bool run(double max_time);
@@ -28,9 +28,9 @@ public:
 		uint32_t edge;
 		uint32_t from, to; // nodes
 	};
-	const std::vector<Node> &nodes() const { return _nodes; }
-	const std::vector<Border> &borders() const { return _borders; }
-	const std::vector<SkeletonFront> &fronts() const { return _fronts; }
+	std::span<const Node> nodes() const { return _nodes; }
+	std::span<const Border> borders() const { return _borders; }
+	SmallVector<SkeletonFront, 1> &fronts() { return _fronts; }
 	uint32_t edge_count() const { return _edge_count; }
 
 private:
@@ -51,8 +51,8 @@ private:
 	};
 	static constexpr uint32_t no_source = 0xFFFFFFFF;
 
-	// For what most outlines need: each corner ends once, and two of them make one.
-	void reserve(const std::vector<std::vector<glm::dvec2>> &loops) {
+	// What most outlines need: each corner ends once, and two of them make one.
+	void reserve(const Loops2 &loops) {
 		size_t corners = 0;
 		for (const auto &loop : loops) {
 			corners += loop.size();
@@ -63,7 +63,7 @@ private:
 		_nodes.reserve(3 * corners);
 		_borders.reserve(6 * corners);
 	}
-	void add_loop(const std::vector<glm::dvec2> &loop, const std::vector<double> &speeds);
+	void add_loop(const Loop2 &loop, std::span<const double> speeds);
 	void add_steps();
 	uint32_t add_node(glm::dvec2 position);
 	uint32_t add_vertex(uint32_t before_edge, uint32_t after_edge, uint32_t node);
@@ -90,12 +90,13 @@ private:
 	void remove_dead();
 	void collect_fronts();
 
-	std::vector<Edge> _edges;
-	std::vector<Vertex> _vertices;
-	std::vector<uint32_t> _active;
-	std::vector<Node> _nodes;
-	std::vector<Border> _borders;
-	std::vector<SkeletonFront> _fronts;
+	// With room for outlines of four corners.
+	SmallVector<Edge, 4> _edges;
+	SmallVector<Vertex, 8> _vertices;
+	SmallVector<uint32_t, 8> _active;
+	SmallVector<Node, 12> _nodes;
+	SmallVector<Border, 32> _borders;
+	SmallVector<SkeletonFront, 1> _fronts;
 	uint32_t _edge_count = 0;
 	uint32_t _first_node_now = 0; // nodes from here on were made at _time
 	// An outline that crosses itself makes events without an end: both counters bound what is tried.

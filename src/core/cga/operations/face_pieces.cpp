@@ -11,19 +11,19 @@ void put(Shape &shape, const Geometry *geometry) {
 	refit(shape);
 }
 
-Flow run_piece_shape(Context &context, const Shape &parent, const BlockEntry &entry) {
+Flow run_piece_shape(Context &context, Context::Children &children, const Shape &parent, const BlockEntry &entry) {
 	const Geometry *geometry = context.builder.finish(context.arena, false);
 	if (geometry == nullptr) {
 		return Flow::Next;
 	}
 	Shape child = parent;
 	put(child, geometry);
-	return context.run_child(child, entry.body);
+	return children.run(child, entry.body);
 }
 
 } // namespace
 
-Flow run_pieces(Context &context, const Shape &parent, const BlockEntry &entry, const std::vector<FacePiece> &pieces) {
+Flow run_pieces(Context &context, Context::Children &children, const Shape &parent, const BlockEntry &entry, std::span<const FacePiece> pieces) {
 	const bool is_one = entry.separator != BlockEntry::Separator::Each;
 	for (size_t i = 0; i < pieces.size(); ++i) {
 		if (i == 0 || !is_one) { // bodies use the builder too
@@ -31,7 +31,7 @@ Flow run_pieces(Context &context, const Shape &parent, const BlockEntry &entry, 
 		}
 		pieces[i].face->add(context.builder, pieces[i].polygon);
 		const bool is_whole = !is_one || i + 1 == pieces.size();
-		if (is_whole && run_piece_shape(context, parent, entry) != Flow::Next) {
+		if (is_whole && run_piece_shape(context, children, parent, entry) != Flow::Next) {
 			return Flow::Stop;
 		}
 	}
@@ -48,8 +48,8 @@ bool is_word(Context &context, const BlockEntry &entry, std::string_view word) {
 	return entry.word != no_symbol && context.vm.program().texts[entry.word].view == word;
 }
 
-std::vector<FlatFace> flat_faces(const Geometry &geometry, FlatFace::View view) {
-	std::vector<FlatFace> faces;
+SmallVector<FlatFace, 1> flat_faces(const Geometry &geometry, FlatFace::View view) {
+	SmallVector<FlatFace, 1> faces;
 	for (uint32_t i = 0; i < geometry.face_count; ++i) {
 		if (geometry.outline(geometry.faces[i]).size() >= 3) {
 			faces.emplace_back(geometry, i, view);

@@ -14,9 +14,10 @@ struct FacePiece {
 	const FlatFace *face = nullptr;
 	Loops2 polygon;
 };
+using FacePieces = SmallVector<FacePiece, 4>;
 
-// Runs the entry's body on each piece, or with `=` on all in one shape. Scope and pivot keep their axes, the scope is refitted.
-Flow run_pieces(Context &context, const Shape &parent, const BlockEntry &entry, const std::vector<FacePiece> &pieces);
+// Runs the entry's body on each piece, or with `=` on all in one shape, made of `parent`. Scope and pivot keep their axes, the scope is refitted.
+Flow run_pieces(Context &context, Context::Children &children, const Shape &parent, const BlockEntry &entry, std::span<const FacePiece> pieces);
 
 // The current shape gets the faces in Context::builder, in scope coordinates, and its scope is refitted. Without any it stays as it is.
 void replace_faces(Context &context, bool is_closed = false);
@@ -25,7 +26,7 @@ void replace_faces(Context &context, bool is_closed = false);
 bool is_word(Context &context, const BlockEntry &entry, std::string_view word);
 
 // Every face of the geometry, which is in scope coordinates.
-std::vector<FlatFace> flat_faces(const Geometry &geometry, FlatFace::View view = FlatFace::View::Own);
+SmallVector<FlatFace, 1> flat_faces(const Geometry &geometry, FlatFace::View view = FlatFace::View::Own);
 
 // Distances as setback takes them: finite and not below 0, else 0 with a warning.
 double setback_distance(Context &context, const Value &value);

@@ -30,7 +30,7 @@ Flow offset(Vm &vm, const Args &args) {
 	bool is_complete = true;
 	for (const FlatFace &face : flat_faces(*geometry)) {
 		const Setback result =
-				distance > 0.0 ? grow(face.loops(), distance) : set_back(face.loops(), std::vector<double>(face.edge_count(), -distance));
+				distance > 0.0 ? grow(face.loops(), distance) : set_back(face.loops(), SmallVector<double, 8>(face.edge_count(), -distance));
 		is_complete &= result.is_complete;
 		for (size_t i = 0; keep != Keep::Border && i < result.rest.size(); ++i) {
 			face.add(context.builder, result.rest[i], FaceTag::Inside);

@@ -99,8 +99,8 @@ class PerimeterSplit {
 public:
 	PerimeterSplit(Context &context, const Args &args) : _context(context), _args(args), _parent(context.shape), _sizes(split_sizes(context, *args.block)) {}
 
-	Flow run(const std::vector<FlatFace> &faces) {
-		std::vector<FacePiece> rest;
+	Flow run(std::span<const FlatFace> faces) {
+		FacePieces rest;
 		uint32_t first_edge = 0;
 		for (const FlatFace &face : faces) {
 			if (split(face, first_edge, rest) != Flow::Next) {
@@ -110,7 +110,7 @@ public:
 		}
 		if (_args.second_block != nullptr) {
 			for (const BlockEntry &entry : _context.vm.entries(*_args.second_block)) {
-				if (is_word(_context, entry, "remainder") && run_pieces(_context, _parent, entry, rest) != Flow::Next) {
+				if (is_word(_context, entry, "remainder") && run_rest(entry, rest) != Flow::Next) {
 					return Flow::Stop;
 				}
 			}
@@ -119,7 +119,12 @@ public:
 	}
 
 private:
-	Flow split(const FlatFace &face, uint32_t first, std::vector<FacePiece> &rest) {
+	Flow run_rest(const BlockEntry &entry, const FacePieces &rest) {
+		Context::Children children(_context);
+		return run_pieces(_context, children, _parent, entry, rest);
+	}
+
+	Flow split(const FlatFace &face, uint32_t first, FacePieces &rest) {
 		const Loop2 &outline = face.loops()[0];
 		const Chain chain = chain_of(outline, selected(uint32_t(outline.size()), first), first_edge(uint32_t(outline.size())));
 		if (chain.length <= 0.0) {
@@ -191,12 +196,13 @@ private:
 			return Flow::Next;
 		}
 		const glm::dvec2 from = strips[0][0], to = strips[0][1];
-		std::vector<FacePiece> pieces;
+		FacePieces pieces;
 		for (Loops2 &polygon : overlay(strips, {}, OverlayKind::Union)) {
 			polygon[0] = begun_near(polygon[0], from, to);
 			pieces.push_back({ &face, std::move(polygon) });
 		}
-		return run_pieces(_context, section_shape(layout, part), *_sizes.entries[layout.parts[part].entry], pieces);
+		Context::Children children(_context);
+		return run_pieces(_context, children, section_shape(layout, part), *_sizes.entries[layout.parts[part].entry], pieces);
 	}
 
 	Context &_context;

@@ -1,12 +1,10 @@
 #include "core/geometry/roof.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <glm/matrix.hpp>
 
 #include "core/cga/context.h"
-#include "core/cga/edges.h"
 #include "core/cga/operations/operations.h"
 #include "core/geometry/polygon.h"
 
@@ -37,17 +35,54 @@ RoofOutline flat_outline(const Geometry &geometry, const GeometryFace &face, con
 	return outline;
 }
 
-void add_loop(GeometryBuilder &builder, const std::vector<glm::dvec3> &loop, const Frame &frame) {
+void add_loop(GeometryBuilder &builder, const RoofLoop &loop, const Frame &frame) {
 	for (const glm::dvec3 &point : loop) {
 		builder.add_point(frame.to_parent(point));
 	}
 	builder.end_loop();
 }
 
+// How many edges have these ends, in any order.
+int edges_between(const Geometry &geometry, glm::dvec3 a, glm::dvec3 b) {
+	int count = 0;
+	for (uint32_t l = 0; l < geometry.loop_count; ++l) {
+		const auto loop = geometry.loop(l);
+		const glm::dvec3 *last = &loop.back();
+		for (const glm::dvec3 &point : loop) {
+			count += (point == a && *last == b) || (point == b && *last == a);
+			last = &point;
+		}
+	}
+	return count;
+}
+
+// Every edge belongs to two faces. Looks through all of them for each, which takes no memory; roofs have few.
 bool is_closed(const Geometry &geometry) {
-	bool result = true;
-	for_each_edge_group(grouped_edges(geometry), [&](std::span<const FaceEdge> group) { result &= group.size() == 2; });
-	return result;
+	for (uint32_t l = 0; l < geometry.loop_count; ++l) {
+		const auto loop = geometry.loop(l);
+		for (size_t i = 0; i < loop.size(); ++i) {
+			if (edges_between(geometry, loop[i], loop[i + 1 < loop.size() ? i + 1 : 0]) != 2) {
+				return false;
+			}
+		}
+	}
+	return true;
+}
+
+// The original face is face 0: CityEngine's own files drop it so, with comp(f) { 0 : NIL | .. }.
+void add_roof_faces(GeometryBuilder &builder, const Roof &roof, const Frame &frame, uint16_t material) {
+	for (const bool is_bottom : { true, false }) {
+		for (const RoofFace &part : roof.faces) {
+			if ((part.part == RoofPart::Bottom) != is_bottom) {
+				continue;
+			}
+			add_loop(builder, part.outline, frame);
+			for (const auto &hole : part.holes) {
+				add_loop(builder, hole, frame);
+			}
+			builder.end_face(FaceTag::None, material);
+		}
+	}
 }
 
 Flow make_roof(Context &context, RoofArgs args, RoofMaker maker) {
@@ -56,7 +91,8 @@ Flow make_roof(Context &context, RoofArgs args, RoofMaker maker) {
 	if (geometry == nullptr) {
 		return Flow::Next;
 	}
-	GeometryBuilder builder;
+	GeometryBuilder &builder = context.builder;
+	builder.clear();
 	bool is_complete = true;
 	for (uint32_t f = 0; f < geometry->face_count; ++f) {
 		const GeometryFace &face = geometry->faces[f];
@@ -67,26 +103,19 @@ Flow make_roof(Context &context, RoofArgs args, RoofMaker maker) {
 		const Frame frame = { axes_from_z(face_normal(*geometry, face), points[1] - points[0]), points[0] };
 		const glm::dvec2 along(frame.axes[0].x, frame.axes[1].x);
 		args.along = glm::dot(along, along) > 1e-12 ? along : glm::dvec2(1.0, 0.0);
-		Roof roof = maker(flat_outline(*geometry, face, frame), args);
+		const Roof roof = maker(flat_outline(*geometry, face, frame), args);
 		is_complete &= roof.is_complete;
-		// The original face is face 0: CityEngine's own files drop it so, with comp(f) { 0 : NIL | .. }.
-		std::ranges::stable_sort(roof.faces, {}, [](const RoofFace &part) { return part.part != RoofPart::Bottom; });
-		for (const RoofFace &part : roof.faces) {
-			add_loop(builder, part.outline, frame);
-			for (const auto &hole : part.holes) {
-				add_loop(builder, hole, frame);
-			}
-			builder.end_face(FaceTag::None, face.material);
-		}
+		add_roof_faces(builder, roof, frame, face.material);
 	}
 	if (!is_complete) {
 		context.vm.warn("broken-roof", "this roof is incomplete: its outline crosses itself or is too small");
 	}
 	const glm::dvec3 normal = face_normal(*geometry, geometry->faces[0]);
 	if (const Geometry *roof = builder.finish(context.arena, false)) {
-		roof = is_complete && is_closed(*roof) ? builder.finish(context.arena, true) : roof; // overhangs leave it open
-		set_geometry(shape, roof);
-		turn_scope(shape, axes_from_y(normal, { 1.0, 0.0, 0.0 }), context.builder, context.arena);
+		Geometry *result = context.arena.make(*roof);
+		result->is_closed = is_complete && is_closed(*roof); // overhangs leave it open
+		set_geometry(shape, result);
+		turn_scope(shape, axes_from_y(normal, { 1.0, 0.0, 0.0 }), builder, context.arena);
 	}
 	return Flow::Next;
 }

@@ -1,5 +1,6 @@
 #include "core/geometry/setback.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/cga/components.h"
@@ -21,7 +22,6 @@ public:
 			  _uv_set(uv_set >= 0.0 && uv_set < double(uv_set_count) ? size_t(uv_set) : uv_set_count) {
 		_edges = components_of(geometry, ComponentKind::FaceEdges);
 		drop_edges_of_flat_faces(geometry);
-		find_corners();
 		assign();
 	}
 
@@ -35,18 +35,19 @@ public:
 		return shape;
 	}
 
-	Flow run(const std::vector<double> &distances) {
-		const std::vector<Setback> results = move(distances);
+	Flow run(std::span<const double> distances) {
+		const SmallVector<Setback, 1> results = move(distances);
+		Context::Children children(_context);
 		for (uint32_t e = 0; e < _entries.size(); ++e) {
 			const bool is_remainder = is_word(_context, _entries[e], "remainder");
-			if (run_pieces(_context, _parent, _entries[e], is_remainder ? rest_of(results) : strips_of(results, e)) != Flow::Next) {
+			if (run_pieces(_context, children, _parent, _entries[e], is_remainder ? rest_of(results) : strips_of(results, e)) != Flow::Next) {
 				return Flow::Stop;
 			}
 		}
 		return Flow::Next;
 	}
 
-	double rest_area(const std::vector<double> &distances) {
+	double rest_area(std::span<const double> distances) {
 		double area = 0.0;
 		for (const Setback &result : move(distances)) {
 			for (const Loops2 &polygon : result.rest) {
@@ -75,9 +76,12 @@ private:
 
 	// Each edge goes to the first entry that selects it.
 	void assign() {
-		_entry_of.assign(_edges.size(), nobody);
+		_entry_of.resize(_edges.size(), nobody);
 		for (const BlockEntry &entry : _entries) {
 			_uv_sides.push_back(entry.word != no_symbol ? uv_side_of(_context.vm.program().texts[entry.word].view) : UvSide::None);
+		}
+		if (std::ranges::any_of(_uv_sides, [](UvSide side) { return side != UvSide::None; })) {
+			find_corners();
 		}
 		for (uint32_t i = 0; i < _edges.size(); ++i) {
 			for (uint32_t e = 0; e < _entries.size() && _entry_of[i] == nobody; ++e) {
@@ -108,12 +112,12 @@ private:
 		return wrapped + (wrapped < 0.0 ? count : 0.0) == double(index);
 	}
 
-	std::vector<Setback> move(const std::vector<double> &distances) {
-		std::vector<Setback> results;
+	SmallVector<Setback, 1> move(std::span<const double> distances) {
+		SmallVector<Setback, 1> results;
 		uint32_t first = 0;
 		bool is_complete = true;
 		for (const FlatFace &face : _faces) {
-			std::vector<double> own(face.edge_count(), 0.0);
+			SmallVector<double, 8> own(face.edge_count(), 0.0);
 			for (uint32_t i = 0; i < own.size(); ++i) {
 				const uint32_t index = first + i;
 				own[i] = index < distances.size() && _entry_of[index] != nobody ? distances[index] : 0.0;
@@ -128,8 +132,8 @@ private:
 		return results;
 	}
 
-	std::vector<FacePiece> strips_of(const std::vector<Setback> &results, uint32_t entry) const {
-		std::vector<FacePiece> pieces;
+	FacePieces strips_of(std::span<const Setback> results, uint32_t entry) const {
+		FacePieces pieces;
 		uint32_t first = 0;
 		for (size_t f = 0; f < _faces.size(); ++f) {
 			for (const SetbackStrip &strip : results[f].strips) {
@@ -142,8 +146,8 @@ private:
 		return pieces;
 	}
 
-	std::vector<FacePiece> rest_of(const std::vector<Setback> &results) const {
-		std::vector<FacePiece> pieces;
+	FacePieces rest_of(std::span<const Setback> results) const {
+		FacePieces pieces;
 		for (size_t f = 0; f < _faces.size(); ++f) {
 			for (const Loops2 &polygon : results[f].rest) {
 				pieces.push_back({ &_faces[f], polygon });
@@ -156,20 +160,20 @@ private:
 	Shape _parent;
 	std::span<const BlockEntry> _entries;
 	const Geometry *_geometry;
-	std::vector<FlatFace> _faces;
+	SmallVector<FlatFace, 1> _faces;
 	size_t _uv_set;
 	std::vector<ComponentInfo> _edges; // of all faces, in order
-	std::vector<std::pair<uint32_t, uint32_t>> _corners; // of each edge
-	std::vector<UvSide> _uv_sides; // that the entries select
-	std::vector<uint32_t> _entry_of;
+	std::vector<std::pair<uint32_t, uint32_t>> _corners; // of each edge, if an entry selects by texture
+	SmallVector<UvSide, 8> _uv_sides; // that the entries select
+	SmallVector<uint32_t, 8> _entry_of;
 };
 
 // One number for all edges, or an array with one for each.
-std::vector<double> distances_of(Context &context, const Value &value, size_t edges, double fallback) {
+SmallVector<double, 8> distances_of(Context &context, const Value &value, size_t edges, double fallback) {
 	if (value.type != ValueType::Array) {
-		return std::vector<double>(edges, value.is_number() ? setback_distance(context, value) : fallback);
+		return SmallVector<double, 8>(edges, value.is_number() ? setback_distance(context, value) : fallback);
 	}
-	std::vector<double> distances(edges, 0.0);
+	SmallVector<double, 8> distances(edges, 0.0);
 	for (size_t i = 0; i < edges && i < size_t(value.array->rows) * value.array->columns; ++i) {
 		distances[i] = setback_distance(context, value.array->values[i]);
 	}
@@ -195,7 +199,7 @@ Flow setback_per_edge(Vm &vm, const Args &args) {
 		return Flow::Next;
 	}
 	SetbackOperation operation(context, *geometry, *args.block, args.number_or(1, 0.0));
-	std::vector<double> distances;
+	SmallVector<double, 8> distances;
 	for (uint32_t i = 0; i < operation.edge_count(); ++i) {
 		distances.push_back(setback_distance(context, context.evaluate_on(operation.edge(i), Chunk(args[0].chunk))));
 	}
@@ -203,8 +207,8 @@ Flow setback_per_edge(Vm &vm, const Args &args) {
 }
 
 // The distance common to all edges, within their bounds, that leaves `area`: it falls as the distance grows.
-std::vector<double> distances_for_area(SetbackOperation &operation, double area, const std::vector<double> &least, const std::vector<double> &most) {
-	std::vector<double> distances = least;
+SmallVector<double, 8> distances_for_area(SetbackOperation &operation, double area, const SmallVector<double, 8> &least, const SmallVector<double, 8> &most) {
+	SmallVector<double, 8> distances = least;
 	const auto set = [&](double more) {
 		for (size_t i = 0; i < least.size(); ++i) {
 			distances[i] = std::min(least[i] + more, std::max(least[i], most[i]));
@@ -242,7 +246,7 @@ Flow setback_to_area(Vm &vm, const Args &args) {
 		const bool is_given = args.count() > i && args[i].type == ValueType::Array;
 		return distances_of(context, is_given ? args[i] : Value(), operation.edge_count(), fallback);
 	};
-	const std::vector<double> least = bounds(1, 0.0);
+	const SmallVector<double, 8> least = bounds(1, 0.0);
 	return operation.run(area > 0.0 ? distances_for_area(operation, area, least, bounds(2, 1e9)) : least);
 }
 

@@ -14,19 +14,19 @@ namespace {
 
 // The two kinds of pieces of all faces.
 struct ShapeAndRest {
-	std::vector<FlatFace> faces;
-	std::vector<FacePiece> shape, rest;
+	SmallVector<FlatFace, 1> faces;
+	FacePieces shape, rest;
 };
 
 Flow run_both(Context &context, const Block &block, const ShapeAndRest &pieces) {
-	const Shape parent = context.shape;
+	Context::Children children(context);
 	for (const BlockEntry &entry : context.vm.entries(block)) {
 		const bool is_shape = is_word(context, entry, "shape");
 		if (!is_shape && !is_word(context, entry, "remainder")) {
 			context.vm.warn("unknown-selector", "only `shape` and `remainder` can be selected here");
 			continue;
 		}
-		if (run_pieces(context, parent, entry, is_shape ? pieces.shape : pieces.rest) != Flow::Next) {
+		if (run_pieces(context, children, children.parent(), entry, is_shape ? pieces.shape : pieces.rest) != Flow::Next) {
 			return Flow::Stop;
 		}
 	}
@@ -50,7 +50,7 @@ Loops2 without_seams(const Loops2 &polygon, const FlatFace &face) {
 			return !has(corners) && std::ranges::none_of(face.loops(), has);
 		};
 		result.push_back(loop);
-		std::erase_if(result.back(), is_seam);
+		erase_if(result.back(), is_seam);
 	}
 	return result;
 }
@@ -80,7 +80,7 @@ Flow make_wings(Context &context, const Block *block, std::span<const Wing> wing
 	std::erase_if(edges, [&](const ComponentInfo &info) { return geometry->outline(geometry->faces[info.face]).size() < 3; });
 	uint32_t first = 0;
 	for (const FlatFace &face : pieces.faces) {
-		std::vector<double> depths;
+		SmallVector<double, 8> depths;
 		for (uint32_t i = 0; i < face.edge_count(); ++i) {
 			depths.push_back(depth_of(wings, edges[first + i].component, context.shape, context.lot()));
 		}
@@ -89,11 +89,7 @@ Flow make_wings(Context &context, const Block *block, std::span<const Wing> wing
 		if (!result.is_complete) {
 			context.vm.warn("broken-outline", "the outline of this face crosses itself; it gets no wings");
 		}
-		Loops2 strips;
-		for (const SetbackStrip &strip : result.strips) {
-			strips.insert(strips.end(), strip.polygon.begin(), strip.polygon.end());
-		}
-		for (const Loops2 &polygon : overlay(strips, {}, OverlayKind::Union)) {
+		for (const Loops2 &polygon : joined_strips(result)) {
 			pieces.shape.push_back({ &face, begun_at_first_edge(without_seams(polygon, face), face) });
 		}
 		for (const Loops2 &polygon : result.rest) {
