@@ -105,6 +105,7 @@ void Occluders::finish() {
 		if (_list[i].solid.is_closed) {
 			_solids.push_back(i);
 			boxes.push_back({ _list[i].low, _list[i].high });
+			_list[i].body = ConvexBody(_list[i].solid);
 		}
 	}
 	_tree.build(boxes);

@@ -9,6 +9,7 @@
 
 #include "core/cga/shape.h"
 #include "core/geometry/bounds_tree.h"
+#include "core/geometry/convex_body.h"
 #include "core/geometry/solid.h"
 
 // What context queries answer from: shapes of a finished derivation (CGA reference: cga_context).
@@ -23,6 +24,7 @@ struct Occluder {
 	uint64_t label = 0; // hash; 0 = none
 	uint32_t node = 0; // in the tree
 	Solid solid; // without triangles unless it is closed
+	ConvexBody body; // of the solid, once the occluders are finished
 };
 
 // The tree of a derivation: which shape was made of which, by the numbers of the children. Nodes are added as they are made, parents first.

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/base/small_vector.h"
 #include "core/cga/measure.h"
 
 namespace pcg::cga {
@@ -14,32 +16,49 @@ namespace {
 
 constexpr double same_value = 1e-6; // metres or square metres that rank as equal
 
-// The shape that asks: its faces, or its points if it has no face.
-struct Asking {
-	Solid solid;
-	std::vector<glm::dvec3> points;
-	Bounds3 bounds;
-
-	Asking(const Shape &shape, glm::dvec3 origin) : bounds(world_bounds(shape, origin)) {
-		if (shape.geometry != nullptr) {
-			solid = world_solid(shape, origin);
-		}
-		if (!solid.triangles.empty()) {
-			return;
-		}
+// The shape that asks, in world coordinates: its faces, or its points if it has no face.
+class Asking {
+public:
+	Asking(const Shape &shape, glm::dvec3 origin) : _shape(shape), _origin(origin) {
 		Frame frame = shape.frame();
 		frame.origin += origin;
 		for (uint32_t i = 0; shape.geometry != nullptr && i < shape.geometry->point_count; ++i) {
-			points.push_back(frame.to_parent(shape.to_scope(shape.geometry->points[i])));
+			_points.push_back(frame.to_parent(shape.to_scope(shape.geometry->points[i])));
 		}
-		if (points.empty()) {
-			points.push_back(frame.origin);
+		if (_points.empty()) {
+			_points.push_back(frame.origin);
 		}
+		_is_rectangle = shape.geometry != nullptr && shape.geometry->is_block && shape.geometry->face_count == 1;
 	}
-	bool meets(OcclusionKind kind, const Occluder &occluder) const {
-		const SolidRelation relation = solid.triangles.empty() ? relate_points(points, occluder.solid) : relate(solid, occluder.solid);
+
+	Bounds3 bounds() const {
+		Bounds3 bounds = { _points[0], _points[0] };
+		for (const glm::dvec3 &point : _points) {
+			bounds = { glm::min(bounds.low, point), glm::max(bounds.high, point) };
+		}
+		return bounds;
+	}
+	bool meets(OcclusionKind kind, const Occluder &occluder) {
+		const ConvexBody::Relation quick = occluder.body.relation_to(_points, _is_rectangle);
+		if (quick == ConvexBody::Relation::Apart) {
+			return false;
+		}
+		if (quick == ConvexBody::Relation::Contact && kind != OcclusionKind::Inside) {
+			return kind == OcclusionKind::Touches;
+		}
+		if (!_solid) {
+			_solid = _shape.geometry != nullptr ? world_solid(_shape, _origin) : Solid();
+		}
+		const SolidRelation relation = _solid->triangles.empty() ? relate_points(_points, occluder.solid) : relate(*_solid, occluder.solid);
 		return kind == OcclusionKind::Inside ? relation.is_inside : kind == OcclusionKind::Overlaps ? relation.overlaps : relation.touches;
 	}
+
+private:
+	const Shape &_shape;
+	glm::dvec3 _origin;
+	SmallVector<glm::dvec3, 24> _points;
+	bool _is_rectangle = false;
+	std::optional<Solid> _solid; // made when it is needed
 };
 
 // The point of a scope's box that lies nearest to another.
@@ -159,9 +178,10 @@ bool Surroundings::occlusion(OcclusionKind kind, QueryTarget target, uint64_t la
 	if (!asks_own && !asks_others) {
 		return false;
 	}
-	const Asking asking(shape, _origin);
+	Asking asking(shape, _origin);
 	const glm::dvec3 margin(solid_tolerance);
-	const glm::dvec3 low = asking.bounds.low - margin, high = asking.bounds.high + margin;
+	const Bounds3 bounds = asking.bounds();
+	const glm::dvec3 low = bounds.low - margin, high = bounds.high + margin;
 	const auto is_wanted = [&](const Occluder &occluder) { return label == 0 || occluder.label == label; };
 	if (asks_own && _known->any_solid(low, high, [&](const Occluder &occluder) {
 			return is_wanted(occluder) && !_known->tree.is_related(shape.tree, occluder.node) && asking.meets(kind, occluder);

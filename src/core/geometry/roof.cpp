@@ -113,7 +113,7 @@ public:
 	}
 	void move(uint32_t number, glm::dvec3 to) {
 		for (size_t f = 0; f < _faces.size(); ++f) {
-			for (size_t i = 0; i < _faces[f].outline.size(); ++i) {
+			for (size_t i = 0; i < _faces[f].outline.size() && _faces[f].part == RoofPart::Plane; ++i) { // walls stay where they are
 				if (_numbers[f][i] == number) {
 					_faces[f].outline[i] = to;
 				}
