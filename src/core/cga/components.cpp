@@ -17,9 +17,7 @@ namespace pcg::cga {
 
 namespace {
 
-auto key_of(glm::dvec3 p) {
-	return FaceEdge::key_of(p);
-}
+auto key_of(glm::dvec3 p) { return FaceEdge::key_of(p); }
 
 // Edges and points look along z of their scope.
 glm::dvec3 component_normal(const Geometry &geometry, const GeometryFace &face) {
@@ -82,14 +80,11 @@ std::vector<ComponentInfo> shared_edges(const Geometry &geometry) {
 }
 
 std::vector<ComponentInfo> edges_by_face(const Geometry &geometry) {
-	const std::vector<FaceEdge> edges = face_edges(geometry);
+	const std::vector<glm::dvec3> normals = face_normals(geometry);
 	std::vector<ComponentInfo> result;
-	result.reserve(edges.size());
-	glm::dvec3 normal(0.0);
-	uint32_t last = UINT32_MAX;
-	for (const FaceEdge &edge : edges) {
-		normal = edge.face != last ? component_normal(geometry, geometry.faces[edge.face]) : normal;
-		last = edge.face;
+	result.reserve(geometry.point_count);
+	for (const FaceEdge &edge : face_edges(geometry)) {
+		const glm::dvec3 normal = normals[edge.face];
 		ComponentInfo info;
 		info.component = { unit(glm::cross(edge.to - edge.from, normal), normal), true };
 		info.face = edge.face;

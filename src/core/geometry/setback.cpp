@@ -134,8 +134,7 @@ bool move_corners(const Loop2 &loop, std::span<const double> speeds, Loop2 &move
 		if (!(length > least) || !(speeds[i] == 0.0 || speeds[i] > least)) {
 			return false;
 		}
-		const glm::dvec2 direction = way / length;
-		sides.push_back({ direction, { -direction.y, direction.x } });
+		sides.push_back({ way / length, glm::dvec2(-way.y, way.x) / length });
 	}
 	for (size_t i = 0; i < count; ++i) {
 		const size_t last = i > 0 ? i - 1 : count - 1;

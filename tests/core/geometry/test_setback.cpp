@@ -10,6 +10,7 @@
 #include "core/geometry/inner_rectangle.h"
 #include "core/geometry/polygon.h"
 #include "core/geometry/setback.h"
+#include "core/geometry/straight_skeleton.h"
 
 using namespace pcg;
 
@@ -63,7 +64,7 @@ bool is_sound(const Loops2 &polygon) {
 			(polygon.size() == 1 || std::ranges::all_of(polygon[1], [&](glm::dvec2 p) { return contains(polygon[0], p) && glm::length(p) < 4.0; }));
 }
 
-double total_area(const std::vector<Loops2> &polygons) {
+double total_area(const Polygons2 &polygons) {
 	double sum = 0.0;
 	for (const Loops2 &polygon : polygons) {
 		sum += area_of(polygon);
@@ -261,7 +262,7 @@ TEST_CASE("convex parts are convex, cover the polygon and begin with its first e
 		if (!is_sound(polygon)) {
 			continue;
 		}
-		const std::vector<Loops2> parts = convex_parts(polygon, 1e9);
+		const Polygons2 parts = convex_parts(polygon, 1e9);
 		CHECK(total_area(parts) == doctest::Approx(area_of(polygon)).epsilon(1e-9));
 		for (const Loops2 &part : parts) {
 			CHECK(part.size() == 1);
@@ -281,6 +282,45 @@ TEST_CASE("shapes without an area give nothing, not a crash") {
 	CHECK(largest_rectangle({ { { 0, 0 }, { 1, 0 } } }).empty());
 	CHECK(largest_rectangle_along_edges({ { { 0, 0 }, { 1, 0 }, { 2, 0 } } }).empty());
 	CHECK(convex_parts({ { { 0, 0 }, { 1, 0 }, { 2, 0 } } }, 1e9).size() == 1);
-	CHECK(!set_back({ { { 0, 0 }, { 1, 0 }, { NAN, 1 } } }, { 1, 1, 1 }).is_complete);
+	CHECK(!set_back({ { { 0, 0 }, { 1, 0 }, { NAN, 1 } } }, std::vector{ 1.0, 1.0, 1.0 }).is_complete);
 	CHECK(without_straight_points(reversed(rectangle(0, 0, 1, 1)), 1e-9).size() == 4);
+}
+
+TEST_CASE("setbacks of triangles and convex quadrangles are what the skeleton says, to the last bit, and their strips join as an overlay joins them") {
+	int plain = 0, chained = 0;
+	for (uint64_t seed = 0; seed < 2000; ++seed) {
+		Random random(seed, 107);
+		const size_t count = 3 + random.index(2);
+		Loops2 polygon(1);
+		std::vector<double> distances;
+		for (size_t i = 0; i < count; ++i) {
+			const double angle = (double(i) + random.uniform(0.0, 0.8)) * 6.283185307 / double(count), radius = random.uniform(6.0, 20.0);
+			polygon[0].push_back({ radius * std::cos(angle), radius * std::sin(angle) });
+			distances.push_back(random.index(3) == 0 ? 0.0 : random.index(3) == 0 ? 1.5 : random.uniform(0.1, 4.0));
+		}
+		const Setback result = set_back(polygon, distances);
+		if (!result.is_plain) {
+			continue;
+		}
+		++plain;
+		const StraightSkeleton skeleton = straight_skeleton(polygon, distances, 1.0);
+		REQUIRE(skeleton.fronts.size() == 1);
+		CHECK(result.rest == Polygons2{ { skeleton.fronts[0].points } });
+		REQUIRE(skeleton.faces.size() == result.strips.size());
+		Loops2 strips;
+		for (size_t i = 0; i < result.strips.size(); ++i) {
+			Loop2 swept;
+			for (const SkeletonVertex &vertex : skeleton.faces[i].outline) {
+				swept.push_back(vertex.position);
+			}
+			CHECK(result.strips[i].edge == skeleton.faces[i].edge);
+			CHECK(result.strips[i].polygon == Loops2{ swept });
+			strips.push_back(swept);
+		}
+		const Polygons2 joined = joined_strips(result);
+		CHECK(joined == overlay(strips, {}, OverlayKind::Union));
+		chained += joined.size() == 1 && strips.size() > 1;
+	}
+	CHECK(plain > 600);
+	CHECK(chained > 200);
 }

@@ -13,7 +13,7 @@ using namespace pcg;
 
 namespace {
 
-using Loop = std::vector<glm::dvec2>;
+using Loop = Loop2;
 constexpr double endless = std::numeric_limits<double>::infinity();
 
 double area(const Loop &loop) {
@@ -63,7 +63,7 @@ double highest(const StraightSkeleton &skeleton) {
 }
 
 // Each vertex of a face lies as far from the edge's line as its time says.
-void check_heights(const StraightSkeleton &skeleton, const std::vector<Loop> &loops, const std::vector<double> &speeds) {
+void check_heights(const StraightSkeleton &skeleton, const Loops2 &loops, const std::vector<double> &speeds) {
 	std::vector<std::pair<glm::dvec2, glm::dvec2>> edges;
 	for (const Loop &loop : loops) {
 		for (size_t i = 0; i < loop.size(); ++i) {
@@ -83,7 +83,7 @@ void check_heights(const StraightSkeleton &skeleton, const std::vector<Loop> &lo
 } // namespace
 
 TEST_CASE("a square's skeleton is four equal triangles that meet in the middle") {
-	const std::vector<Loop> square = { { { 0, 0 }, { 4, 0 }, { 4, 4 }, { 0, 4 } } };
+	const Loops2 square = { { { 0, 0 }, { 4, 0 }, { 4, 4 }, { 0, 4 } } };
 	const StraightSkeleton skeleton = straight_skeleton(square, {}, endless);
 	CHECK(skeleton.is_complete);
 	REQUIRE(skeleton.faces.size() == 4);
@@ -96,7 +96,7 @@ TEST_CASE("a square's skeleton is four equal triangles that meet in the middle")
 }
 
 TEST_CASE("a rectangle's skeleton has a ridge: two trapezoids and two triangles") {
-	const std::vector<Loop> rectangle = { { { 0, 0 }, { 10, 0 }, { 10, 4 }, { 0, 4 } } };
+	const Loops2 rectangle = { { { 0, 0 }, { 10, 0 }, { 10, 4 }, { 0, 4 } } };
 	const StraightSkeleton skeleton = straight_skeleton(rectangle, {}, endless);
 	CHECK(skeleton.is_complete);
 	REQUIRE(skeleton.faces.size() == 4);
@@ -110,7 +110,7 @@ TEST_CASE("a rectangle's skeleton has a ridge: two trapezoids and two triangles"
 }
 
 TEST_CASE("an L has a valley from its inner corner and six faces that cover it") {
-	const std::vector<Loop> shape = { { { 0, 0 }, { 10, 0 }, { 10, 4 }, { 4, 4 }, { 4, 10 }, { 0, 10 } } };
+	const Loops2 shape = { { { 0, 0 }, { 10, 0 }, { 10, 4 }, { 4, 4 }, { 4, 10 }, { 0, 10 } } };
 	const StraightSkeleton skeleton = straight_skeleton(shape, {}, endless);
 	CHECK(skeleton.is_complete);
 	CHECK(skeleton.faces.size() == 6);
@@ -121,7 +121,7 @@ TEST_CASE("an L has a valley from its inner corner and six faces that cover it")
 
 TEST_CASE("a front splits where an inner corner reaches the opposite side") {
 	// A long bar with a notch from above that leaves 1 m: the notch's corners reach the bottom before the wings close.
-	const std::vector<Loop> shape = { { { 0, 0 }, { 20, 0 }, { 20, 6 }, { 11, 6 }, { 11, 1 }, { 9, 1 }, { 9, 6 }, { 0, 6 } } };
+	const Loops2 shape = { { { 0, 0 }, { 20, 0 }, { 20, 6 }, { 11, 6 }, { 11, 1 }, { 9, 1 }, { 9, 6 }, { 0, 6 } } };
 	const StraightSkeleton skeleton = straight_skeleton(shape, {}, endless);
 	CHECK(skeleton.is_complete);
 	CHECK(total_area(skeleton) == doctest::Approx(110.0)); // 120 - 2 * 5
@@ -130,7 +130,7 @@ TEST_CASE("a front splits where an inner corner reaches the opposite side") {
 }
 
 TEST_CASE("a pointed corner splits the side that it reaches") {
-	const std::vector<Loop> shape = { { { 0, 0 }, { 10, 0 }, { 10, 8 }, { 5, 2 }, { 0, 8 } } };
+	const Loops2 shape = { { { 0, 0 }, { 10, 0 }, { 10, 8 }, { 5, 2 }, { 0, 8 } } };
 	const StraightSkeleton skeleton = straight_skeleton(shape, {}, endless);
 	CHECK(skeleton.is_complete);
 	CHECK(total_area(skeleton) == doctest::Approx(50.0)); // 80 - 10 * 6 / 2
@@ -138,7 +138,7 @@ TEST_CASE("a pointed corner splits the side that it reaches") {
 }
 
 TEST_CASE("a ring closes to a ridge all around") {
-	const std::vector<Loop> ring = { { { 0, 0 }, { 10, 0 }, { 10, 10 }, { 0, 10 } }, { { 3, 3 }, { 3, 7 }, { 7, 7 }, { 7, 3 } } };
+	const Loops2 ring = { { { 0, 0 }, { 10, 0 }, { 10, 10 }, { 0, 10 } }, { { 3, 3 }, { 3, 7 }, { 7, 7 }, { 7, 3 } } };
 	const StraightSkeleton skeleton = straight_skeleton(ring, {}, endless);
 	CHECK(skeleton.is_complete);
 	CHECK(total_area(skeleton) == doctest::Approx(84.0));
@@ -147,7 +147,7 @@ TEST_CASE("a ring closes to a ridge all around") {
 }
 
 TEST_CASE("a front that stops leaves strips and the rest") {
-	const std::vector<Loop> rectangle = { { { 0, 0 }, { 10, 0 }, { 10, 6 }, { 0, 6 } } };
+	const Loops2 rectangle = { { { 0, 0 }, { 10, 0 }, { 10, 6 }, { 0, 6 } } };
 	const StraightSkeleton skeleton = straight_skeleton(rectangle, {}, 1.0);
 	CHECK(skeleton.is_complete);
 	REQUIRE(skeleton.fronts.size() == 1);
@@ -157,8 +157,8 @@ TEST_CASE("a front that stops leaves strips and the rest") {
 }
 
 TEST_CASE("a setback of one side only leaves a strip with square ends") {
-	const std::vector<Loop> rectangle = { { { 0, 0 }, { 10, 0 }, { 10, 6 }, { 0, 6 } } };
-	const StraightSkeleton skeleton = straight_skeleton(rectangle, { 2.0, 0.0, 0.0, 0.0 }, 1.0);
+	const Loops2 rectangle = { { { 0, 0 }, { 10, 0 }, { 10, 6 }, { 0, 6 } } };
+	const StraightSkeleton skeleton = straight_skeleton(rectangle, std::vector{ 2.0, 0.0, 0.0, 0.0 }, 1.0);
 	CHECK(skeleton.is_complete);
 	REQUIRE(skeleton.faces.size() == 1);
 	CHECK(area_of_edge(skeleton, 0) == doctest::Approx(20.0));
@@ -167,8 +167,8 @@ TEST_CASE("a setback of one side only leaves a strip with square ends") {
 }
 
 TEST_CASE("two collinear sides with different setbacks meet in a step") {
-	const std::vector<Loop> shape = { { { 0, 0 }, { 5, 0 }, { 10, 0 }, { 10, 6 }, { 0, 6 } } };
-	const StraightSkeleton skeleton = straight_skeleton(shape, { 1.0, 3.0, 0.0, 0.0, 0.0 }, 1.0);
+	const Loops2 shape = { { { 0, 0 }, { 5, 0 }, { 10, 0 }, { 10, 6 }, { 0, 6 } } };
+	const StraightSkeleton skeleton = straight_skeleton(shape, std::vector{ 1.0, 3.0, 0.0, 0.0, 0.0 }, 1.0);
 	CHECK(skeleton.is_complete);
 	CHECK(area_of_edge(skeleton, 0) == doctest::Approx(5.0));
 	CHECK(area_of_edge(skeleton, 1) == doctest::Approx(15.0));
@@ -178,7 +178,7 @@ TEST_CASE("two collinear sides with different setbacks meet in a step") {
 }
 
 TEST_CASE("a setback larger than the polygon leaves nothing") {
-	const std::vector<Loop> square = { { { 0, 0 }, { 4, 0 }, { 4, 4 }, { 0, 4 } } };
+	const Loops2 square = { { { 0, 0 }, { 4, 0 }, { 4, 4 }, { 0, 4 } } };
 	const StraightSkeleton skeleton = straight_skeleton(square, {}, 5.0);
 	CHECK(skeleton.is_complete);
 	CHECK(skeleton.fronts.empty());
@@ -186,7 +186,7 @@ TEST_CASE("a setback larger than the polygon leaves nothing") {
 }
 
 TEST_CASE("a cross, where eight events fall together, is covered") {
-	const std::vector<Loop> cross = { { { 2, 0 }, { 4, 0 }, { 4, 2 }, { 6, 2 }, { 6, 4 }, { 4, 4 }, { 4, 6 }, { 2, 6 }, { 2, 4 }, { 0, 4 }, { 0, 2 }, { 2, 2 } } };
+	const Loops2 cross = { { { 2, 0 }, { 4, 0 }, { 4, 2 }, { 6, 2 }, { 6, 4 }, { 4, 4 }, { 4, 6 }, { 2, 6 }, { 2, 4 }, { 0, 4 }, { 0, 2 }, { 2, 2 } } };
 	const StraightSkeleton skeleton = straight_skeleton(cross, {}, endless);
 	CHECK(skeleton.is_complete);
 	CHECK(skeleton.faces.size() == 12);
@@ -198,7 +198,7 @@ TEST_CASE("input that is no polygon is refused, not computed") {
 	CHECK(!straight_skeleton({}, {}, 1.0).is_complete);
 	CHECK(!straight_skeleton({ { { 0, 0 }, { 1, 0 } } }, {}, 1.0).is_complete);
 	CHECK(!straight_skeleton({ { { 0, 0 }, { 1, 0 }, { std::nan(""), 1 } } }, {}, 1.0).is_complete);
-	CHECK(!straight_skeleton({ { { 0, 0 }, { 1, 0 }, { 1, 1 } } }, { 1.0, -1.0, 1.0 }, 1.0).is_complete);
+	CHECK(!straight_skeleton({ { { 0, 0 }, { 1, 0 }, { 1, 1 } } }, std::vector{ 1.0, -1.0, 1.0 }, 1.0).is_complete);
 }
 
 TEST_CASE("faces cover any star-shaped polygon, with any speeds, until any time") {
