@@ -82,7 +82,7 @@ void add_plane(Roof &roof, const RoofOutline &part, const Profile &profile, cons
 }
 
 // Corners of the outline that lie on the ridge become corners of what runs past them, so that both planes and the walls share them.
-void add_corners_on_ridge(Loop &part, const Loop &outline, const Profile &profile) {
+void add_corners_on_ridge(Loop2 &part, const Loop2 &outline, const Profile &profile) {
 	for (const glm::dvec2 &corner : outline) {
 		if (profile.distance(corner) != 0.0) {
 			continue;
@@ -91,7 +91,7 @@ void add_corners_on_ridge(Loop &part, const Loop &outline, const Profile &profil
 			const glm::dvec2 a = part[i], b = part[(i + 1) % part.size()], side = b - a;
 			const double share = glm::dot(corner - a, side) / std::max(glm::dot(side, side), tiny);
 			if (glm::distance(a + side * share, corner) < tiny && share > tiny && share < 1.0 - tiny) {
-				part.insert(part.begin() + long(i) + 1, corner);
+				part.insert(part.begin() + long(i) + 1, &corner, &corner + 1);
 				break;
 			}
 		}
@@ -102,8 +102,8 @@ void add_corners_on_ridge(Loop &part, const Loop &outline, const Profile &profil
 std::vector<RoofOutline> side_of_ridge(const RoofOutline &outline, const Profile &profile, double sign) {
 	std::vector<RoofOutline> parts = cut_outline(outline, sign * profile.normal, sign * profile.offset);
 	for (RoofOutline &part : parts) {
-		for (Loop &loop : part) {
-			for (const Loop &corners : outline) {
+		for (Loop2 &loop : part) {
+			for (const Loop2 &corners : outline) {
 				add_corners_on_ridge(loop, corners, profile);
 			}
 		}
