@@ -1,6 +1,7 @@
 @tool
-extends TabContainer
-## The dock: a page each for the city, its people, their days, one person, and all problems.
+extends VBoxContainer
+## The dock: a page each for the city, its people, their days, one person, and all problems. The pages' titles are buttons that wrap, because a row of tabs
+## would not fit into a narrow dock.
 
 const SceneContext := preload("res://addons/pcg/editor/scene_context.gd")
 const CityTab := preload("res://addons/pcg/editor/city/city_tab.gd")
@@ -16,6 +17,7 @@ signal place_wanted(path: String, line: int, column: int)
 var context: SceneContext
 var _collector: ProblemCollector
 
+@onready var pages: TabContainer = %Pages
 @onready var city_tab: CityTab = %City
 @onready var population_tab: PopulationTab = %Population
 @onready var simulation_tab: SimulationTab = %Simulation
@@ -23,9 +25,27 @@ var _collector: ProblemCollector
 @onready var problems: ProblemList = %Problems
 
 
+func _ready() -> void:
+	var group := ButtonGroup.new()
+	for index: int in pages.get_tab_count():
+		var button := Button.new()
+		button.text = pages.get_tab_title(index)
+		button.toggle_mode = true
+		button.button_group = group
+		button.button_pressed = index == 0
+		button.theme_type_variation = &"FlatButton"
+		button.pressed.connect(show_page.bind(index))
+		%Titles.add_child(button)
+
+
+func show_page(index: int) -> void:
+	pages.current_tab = index
+	(%Titles.get_child(index) as Button).button_pressed = true
+
+
 func open(of: SceneContext) -> void:
 	context = of
-	custom_minimum_size.x = 260.0 * EditorInterface.get_editor_scale()
+	custom_minimum_size.x = 330.0 * EditorInterface.get_editor_scale()
 	city_tab.open(context)
 	population_tab.open(context)
 	simulation_tab.open(context)
@@ -47,8 +67,8 @@ func forget_rule_diagnostics(path: String) -> void:
 
 func _on_problems_changed(diagnostics: Array[Dictionary]) -> void:
 	problems.show_diagnostics(diagnostics)
-	var index: int = get_tab_idx_from_control(problems)
-	set_tab_title(index, "Problems" if diagnostics.is_empty() else "Problems (%d)" % diagnostics.size())
+	var title: Button = %Titles.get_child(pages.get_tab_idx_from_control(problems))
+	title.text = "Problems" if diagnostics.is_empty() else "Problems (%d)" % diagnostics.size()
 
 
 func _on_problem_activated(diagnostic: Dictionary) -> void:

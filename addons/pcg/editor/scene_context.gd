@@ -82,11 +82,24 @@ func refresh() -> void:
 			if other.city == new_city:
 				new_citizens = other
 	var is_new: bool = new_city != city or new_citizens != citizens
+	_follow(new_city)
 	_city_id = new_city.get_instance_id() if new_city else 0
 	_citizens_id = new_citizens.get_instance_id() if new_citizens else 0
 	if is_new:
 		person = -1
 		changed.emit()
+
+
+# What is generated or cleared changes what can be done with it.
+func _follow(new_city: PCGCity) -> void:
+	for signal_name: StringName in [&"city_generated", &"city_cleared"]:
+		if new_city and not new_city.is_connected(signal_name, _on_city_changed):
+			new_city.connect(signal_name, _on_city_changed, CONNECT_DEFERRED)
+
+
+func _on_city_changed(_success: bool = true) -> void:
+	_buildings.clear()
+	changed.emit()
 
 
 func _pick(kind: String, shown: Node) -> Node:

@@ -41,6 +41,7 @@ func _ready() -> void:
 	_types.item_activated.connect(_on_type_activated)
 	_add_inspector(%Layout, _layout_inspector)
 	_add_inspector(%Attributes, _attribute_inspector)
+	_types.set_column_expand(1, false)
 	for column: int in 3:
 		_types.set_column_title(column, ["Lots", "Weight", "Rules"][column])
 		_types.set_column_title_alignment(column, HORIZONTAL_ALIGNMENT_LEFT)
@@ -63,6 +64,7 @@ func _take_theme() -> void:
 	var figures: Tree = %Statistics
 	figures.set_column_expand(1, false)
 	figures.set_column_custom_minimum_width(1, roundi(70.0 * EditorInterface.get_editor_scale()))
+	_types.set_column_custom_minimum_width(1, roundi(84.0 * EditorInterface.get_editor_scale()))
 	(%Dice as Button).icon = get_theme_icon("RandomNumberGenerator", "EditorIcons")
 	(%Generate as Button).icon = get_theme_icon("Reload", "EditorIcons")
 	(%Clear as Button).icon = get_theme_icon("Clear", "EditorIcons")
@@ -86,7 +88,8 @@ func refresh() -> void:
 	_cities.visible = _cities.item_count > 1
 	_seed.set_value_no_signal(city.seed)
 	_fill_types()
-	show_attributes(null)
+	var shown: PCGLotType = _attributes.lot_type if _attributes else null
+	show_attributes(shown if shown in city.lot_types else null)
 	show_statistics()
 	_show_progress(city.is_generating())
 
@@ -192,8 +195,10 @@ func _on_type_activated() -> void:
 func show_attributes(type: PCGLotType) -> void:
 	_attributes = RuleAttributes.new(type)
 	_attribute_inspector.visible = not _attributes.is_empty()
-	(%AttributesText as Label).visible = _attributes.is_empty()
-	(%AttributesText as Label).text = "Choose a type of lot to see the attributes of its rules." if type == null else "These rules have no attributes."
+	var told: Label = %AttributesText
+	told.text = "What is ticked is set here; the rest is left to the rules." if not _attributes.is_empty() else "These rules have no attributes."
+	if type == null:
+		told.text = "Choose a type of lot to see the attributes of its rules."
 	_attribute_inspector.edit(null if _attributes.is_empty() else _attributes)
 
 

@@ -10,6 +10,7 @@ const WeekTimeline := preload("res://addons/pcg/editor/person/week_timeline.gd")
 const TaskColors := preload("res://addons/pcg/editor/person/task_colors.gd")
 const PathOverlay := preload("res://addons/pcg/editor/person/path_overlay.gd")
 const LifeRecorder := preload("res://addons/pcg/editor/person/life_recorder.gd")
+const ADULT_AGE := 18
 const PICK_DISTANCE := 24.0 ## pixels at 100 %
 const PERSON_MIDDLE := Vector3(0.0, 0.9, 0.0) ## metres above where somebody stands
 
@@ -31,8 +32,11 @@ func open(of: SceneContext) -> void:
 
 
 func _ready() -> void:
-	for column: int in 4:
-		_list.set_column_title(column, ["Time", "What", "Where", "Why"][column])
+	_list.set_column_expand(0, false)
+	_list.set_column_expand_ratio(1, 3)
+	_list.set_column_expand_ratio(2, 2)
+	for column: int in 3:
+		_list.set_column_title(column, ["Time", "What", "Why"][column])
 		_list.set_column_title_alignment(column, HORIZONTAL_ALIGNMENT_LEFT)
 		_list.set_column_clip_content(column, true)
 	_list.item_selected.connect(func() -> void: _week.select(_list.get_selected().get_metadata(0)))
@@ -50,6 +54,7 @@ func _notification(what: int) -> void:
 
 func _take_theme() -> void:
 	(%Pick as Button).icon = get_theme_icon("ToolSelect", "EditorIcons")
+	_list.set_column_custom_minimum_width(0, roundi(132.0 * EditorInterface.get_editor_scale()))
 	_week.custom_minimum_size = Vector2(180.0, 150.0) * EditorInterface.get_editor_scale()
 
 
@@ -106,12 +111,11 @@ func _fill_entries() -> void:
 		entry["told"] = "%s %s\n%s, %s\n%s:%d" % [TaskColors.TITLES.get(entry["kind"], entry["kind"]), get_target_text(entry), get_time_text(entry),
 				get_days_text(entry), entry.get("file", ""), entry.get("line", 0)]
 		var item: TreeItem = _list.create_item(root)
-		item.set_text(0, "%s  %s" % [get_time_text(entry), get_days_text(entry)])
-		item.set_text(1, TaskColors.TITLES.get(entry["kind"], entry["kind"]))
-		item.set_custom_color(1, TaskColors.of(entry["kind"]))
-		item.set_text(2, get_target_text(entry))
-		item.set_text(3, "%s %s:%d" % [entry.get("rule", ""), str(entry.get("file", "")).get_file(), entry.get("line", 0)])
-		for column: int in 4:
+		item.set_text(0, get_time_text(entry))
+		item.set_text(1, "%s %s%s" % [TaskColors.TITLES.get(entry["kind"], entry["kind"]), get_target_text(entry), _some_days_text(entry)])
+		item.set_custom_color(0, TaskColors.of(entry["kind"]))
+		item.set_text(2, "%s:%d" % [entry.get("rule", ""), entry.get("line", 0)])
+		for column: int in 3:
 			item.set_tooltip_text(column, "%s\nDouble-click to open the rule." % entry["told"])
 		item.set_metadata(0, index)
 	_week.show_week(_entries)
@@ -140,6 +144,10 @@ static func get_days_text(entry: Dictionary) -> String:
 	return "mon-fri" if days == PackedStringArray(["mon", "tue", "wed", "thu", "fri"]) else " ".join(days)
 
 
+static func _some_days_text(entry: Dictionary) -> String:
+	return "" if get_days_text(entry) == "daily" else ", " + get_days_text(entry)
+
+
 func get_entries() -> Array[Dictionary]:
 	return _entries
 
@@ -165,9 +173,15 @@ func _tell_present() -> void:
 		present += " %s %s" % ["to" if told["state"] == "walking" else "in", "home" if place["id"] == told["home"] else context.get_building_text(place["id"])]
 	elif not str(place.get("kind", "")).is_empty():
 		present += " %s %s %d" % ["to" if told["state"] == "walking" else "at", place["kind"], place["id"]]
-	(%Told as Label).text = "%s, a %s of %d, household %d in %s\n%s, walks %.2f m/s\nNow: %s" % [told["name"], told["gender"], told["age"],
+	(%Told as Label).text = "%s, a %s of %d, household %d in %s\n%s, walks %.2f m/s\nNow: %s" % [told["name"], _word_for(told), told["age"],
 			told["household"], context.get_building_text(told["home"]), _household_type(told), told["walking_speed"], present]
 	_week.show_lived(recorder.spans, context.citizens.day * WeekTimeline.DAY + context.citizens.time if context.citizens.is_running() else -1.0)
+
+
+static func _word_for(told: Dictionary) -> String:
+	if int(told["age"]) < ADULT_AGE:
+		return "girl" if told["gender"] == "woman" else "boy"
+	return told["gender"]
 
 
 func _household_type(told: Dictionary) -> String:

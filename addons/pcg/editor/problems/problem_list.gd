@@ -18,9 +18,9 @@ func _ready() -> void:
 		button.toggled.connect(func(_is_on: bool) -> void: _fill())
 	_filter.text_changed.connect(func(_text: String) -> void: _fill())
 	_list.item_activated.connect(_on_item_activated)
-	_list.set_column_expand(0, true)
-	_list.set_column_expand(1, false)
-	_list.set_column_clip_content(0, true)
+	for column: int in 2:
+		_list.set_column_expand_ratio(column, [5, 2][column])
+		_list.set_column_clip_content(column, true)
 	_take_theme()
 
 
@@ -33,7 +33,7 @@ func _take_theme() -> void:
 	_errors.icon = get_theme_icon("StatusError", "EditorIcons")
 	_warnings.icon = get_theme_icon("StatusWarning", "EditorIcons")
 	_filter.right_icon = get_theme_icon("Search", "EditorIcons")
-	_list.set_column_custom_minimum_width(1, roundi(130.0 * EditorInterface.get_editor_scale()))
+	_list.set_column_custom_minimum_width(1, roundi(60.0 * EditorInterface.get_editor_scale()))
 	_fill()
 
 

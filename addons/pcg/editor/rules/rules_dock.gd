@@ -52,6 +52,7 @@ func _take_theme() -> void:
 	for entry: Array in [[%New, "New"], [%Open, "Load"], [%Save, "Save"], [%Close, "Close"]]:
 		(entry[0] as Button).icon = get_theme_icon(entry[1], "EditorIcons")
 	(%Side as Control).custom_minimum_size.x = 150.0 * EditorInterface.get_editor_scale()
+	_problems.custom_minimum_size.x = 240.0 * EditorInterface.get_editor_scale()
 	custom_minimum_size.y = 260.0 * EditorInterface.get_editor_scale()
 
 

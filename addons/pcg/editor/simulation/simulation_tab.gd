@@ -48,12 +48,17 @@ func _ready() -> void:
 	_hour.drag_ended.connect(func(_is_changed: bool) -> void: _jump())
 	survey.progressed.connect(func(part: float) -> void: (%Survey as Button).text = "Survey the day .. %d %%" % roundi(100.0 * part))
 	survey.ended.connect(_on_survey_ended)
+	_take_theme()
 
 
 func _notification(what: int) -> void:
 	if what == NOTIFICATION_THEME_CHANGED and is_node_ready():
-		_plot.custom_minimum_size.y = 120.0 * EditorInterface.get_editor_scale()
-		(%Stop as Button).icon = get_theme_icon("Stop", "EditorIcons")
+		_take_theme()
+
+
+func _take_theme() -> void:
+	_plot.custom_minimum_size.y = 120.0 * EditorInterface.get_editor_scale()
+	(%Stop as Button).icon = get_theme_icon("Stop", "EditorIcons")
 
 
 func _on_context_changed() -> void:
