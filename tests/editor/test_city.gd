@@ -80,6 +80,62 @@ func test_the_dice_change_the_city_and_undo_brings_the_old_one_back() -> void:
 	check(city.is_generated(), "and its city")
 
 
+func test_selected_lots_and_blocks_are_generated_anew_with_what_their_types_have() -> void:
+	var city: PCGCity = await _add_small_city()
+	_tab.generate()
+	await _generated(city)
+	var lot: PCGLot = city.find_children("*", "PCGLot", true, false).filter(func(node: PCGLot) -> bool: return node.type == "house")[0]
+	var number: int = lot.lot_id
+	EditorInterface.get_selection().clear()
+	EditorInterface.get_selection().add_node(lot.get_child(0))
+	check_equal(_tab.get_selected_lots(), [number] as Array[int], "the lot of what is selected")
+	city.lot_types[0].rules = CityForTests.make_rules(CityForTests.HOUSE.replace("extrude(6)", "extrude(9) split(y) { 3: X. | ~1: X. }"))
+	var faces: int = city.get_statistics()["faces"]
+	_tab.generate_selected()
+	await frames(3)
+	check(int(city.get_statistics()["faces"]) != faces, "the lot is another")
+	await undo(city)
+	check_equal(city.get_statistics()["faces"], faces, "and the old one again")
+	EditorInterface.get_selection().clear()
+	EditorInterface.get_selection().add_node(city)
+	check_equal(_tab.get_selected_lots().size(), city.get_statistics()["lots"], "a node above them means all of them")
+
+
+func test_a_saved_scene_comes_back_with_its_city_and_its_rules() -> void:
+	var city: PCGCity = await _add_small_city()
+	city.lot_types[0].rules = load(write("res://typed/house.cga", CityForTests.HOUSE))
+	_tab.generate()
+	await _generated(city)
+	var figures: Dictionary = city.get_statistics()
+	EditorInterface.save_scene_as("res://typed/world.tscn", false)
+	EditorInterface.close_scene()
+	await frames(3)
+	check(_tab.context.city == null, "closed")
+	EditorInterface.open_scene_from_path("res://typed/world.tscn")
+	await frames(5)
+	check(_tab.context.city != null and _tab.context.city.is_generated(), "the city is there")
+	for figure: String in ["lots", "faces", "buildings", "entrances"]:
+		check_equal(_tab.context.city.get_statistics()[figure], figures[figure], figure)
+	check_equal(_tab.context.city.lot_types[0].rules.get_file(), "res://typed/house.cga", "built by its rule file")
+
+
+func test_saving_rules_offers_to_regenerate_what_uses_them() -> void:
+	var city: PCGCity = await _add_small_city()
+	city.lot_types[0].rules = load(write("res://typed/used.cga", CityForTests.HOUSE))
+	_tab.generate()
+	await _generated(city)
+	var faces: int = city.get_statistics()["faces"]
+	var rules: Control = get_authoring().rules
+	get_authoring().rules.open("res://typed/used.cga")
+	get_authoring().rules.get_current().text = CityForTests.HOUSE.replace("extrude(6)", "extrude(9) split(y) { 3: X. | ~1: X. }")
+	get_authoring().rules.save_current()
+	check((rules.get_node("%Users") as Control).visible, "it tells that a node uses them")
+	(rules.get_node("%Regenerate") as Button).pressed.emit()
+	await _generated(city)
+	check(int(city.get_statistics()["faces"]) != faces, "the city is another")
+	get_authoring().rules.close_current()
+
+
 func test_cancelling_leaves_nothing_running() -> void:
 	var city: PCGCity = await _add_small_city()
 	_tab.generate()

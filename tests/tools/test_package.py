@@ -15,11 +15,11 @@ import package  # noqa: E402
 from run_tests import complaints  # noqa: E402
 
 FILES = ("README.md", "LICENSE.md", "CHANGELOG.md", "CONTRIBUTING.md", "project.godot", "docs/.gdignore", "docs/language-cga.md",
-         "docs/architecture.md", "docs/images/park.png", "rules/cga/park.cga", "rules/cga/park.cga.uid", "rules/cga/assets/grass.png",
+         "docs/architecture.md", "docs/images/park.png", "docs/getting-started.md", "docs/images/editor_city.png", "rules/cga/park.cga", "rules/cga/park.cga.uid", "rules/cga/assets/grass.png",
          "rules/cga/assets/grass.png.import", "rules/agenda/weekday.pcg",
          "rules/data/table.csv", "rules/data/table.csv.import", "rules/paper/building.cga", "addons/pcg/plugin.cfg", "addons/pcg/bin/libpcg.x.so")
-PACKED = ("CHANGELOG.md", "LICENSE.md", "README.md", "bin/libpcg.x.so", "docs/.gdignore", "docs/language-cga.md", "plugin.cfg",
-          "rules/agenda/weekday.pcg", "rules/cga/assets/grass.png", "rules/cga/assets/grass.png.import", "rules/cga/park.cga", "rules/data/table.csv",
+PACKED = ("CHANGELOG.md", "LICENSE.md", "README.md", "bin/libpcg.x.so", "docs/.gdignore", "docs/getting-started.md",
+          "docs/images/editor_city.png", "docs/language-cga.md", "plugin.cfg", "rules/agenda/weekday.pcg", "rules/cga/assets/grass.png", "rules/cga/assets/grass.png.import", "rules/cga/park.cga", "rules/data/table.csv",
           "rules/data/table.csv.import", "rules/paper/building.cga")
 
 

@@ -24,6 +24,24 @@ func generate(city: PCGCity, seed: int = city.seed) -> void:
 	_commit("Generate the city", city, after, before, seed_before)
 
 
+## Generates some lots anew, by number, with what their types have now.
+func generate_lots(city: PCGCity, lots: Array[int]) -> void:
+	var undo: EditorUndoRedoManager = _context.get_undo()
+	undo.create_action("Generate %s" % ("a lot" if lots.size() == 1 else "%d lots" % lots.size()), UndoRedo.MERGE_DISABLE, city)
+	undo.add_do_method(self, &"make_lots", city, lots, describe(city))
+	undo.add_undo_method(self, &"make_lots", city, lots, _made_before(city))
+	undo.commit_action()
+
+
+## Gives the lots' types what they were made of, and makes these lots.
+func make_lots(city: PCGCity, lots: Array[int], described: Dictionary) -> void:
+	_made_of[city.get_instance_id()] = described
+	_give_types(described)
+	for lot: int in lots:
+		city.regenerate_lot(lot)
+	_context.changed.emit()
+
+
 func clear(city: PCGCity) -> void:
 	_commit("Clear the city", city, {}, _made_before(city), city.seed)
 
@@ -78,8 +96,12 @@ func make(city: PCGCity, described: Dictionary) -> void:
 	city.lot_types = described["lot_types"]
 	for property: String in described["layout_values"]:
 		city.layout.set(property, described["layout_values"][property])
+	_give_types(described)
+	city.generate()
+	_context.changed.emit()
+
+
+static func _give_types(described: Dictionary) -> void:
 	for values: Dictionary in described["types"]:
 		for property: StringName in LOT_TYPE_PROPERTIES:
 			(values["self"] as PCGLotType).set(property, values[property])
-	city.generate()
-	_context.changed.emit()

@@ -123,15 +123,16 @@ func throw_dice() -> void:
 		history.generate(context.city, randi_range(0, HIGHEST_SEED))
 
 
-## The lots that are selected in the scene, or that something selected belongs to.
+## The lots that are selected in the scene, that lie in what is selected (a block), or that something selected belongs to.
 func get_selected_lots() -> Array[int]:
 	var lots: Array[int] = []
 	for node: Node in EditorInterface.get_selection().get_selected_nodes():
 		var at: Node = node
 		while at and not at is PCGLot:
 			at = at.get_parent()
-		if at and not lots.has((at as PCGLot).lot_id):
-			lots.append((at as PCGLot).lot_id)
+		for lot: PCGLot in [at] if at else node.find_children("*", "PCGLot", true, false):
+			if lot.lot_id >= 0 and not lots.has(lot.lot_id):
+				lots.append(lot.lot_id)
 	return lots
 
 
@@ -140,9 +141,7 @@ func generate_selected() -> void:
 	if lots.is_empty():
 		EditorInterface.get_editor_toaster().push_toast("PCG: select lots in the scene first.")
 		return
-	for lot: int in lots:
-		context.city.call(&"regenerate_lot", lot)
-	show_statistics()
+	history.generate_lots(context.city, lots)
 
 
 func _on_seed_changed(value: float) -> void:
@@ -240,7 +239,7 @@ func _show_progress(is_generating: bool) -> void:
 	(%Progress as Control).visible = is_generating
 	for button: Button in [%Generate, %Dice, %Clear]:
 		button.disabled = is_generating
-	(%Selected as Button).disabled = is_generating or not context.city.is_generated() or not context.city.has_method(&"regenerate_lot")
+	(%Selected as Button).disabled = is_generating or not context.city.is_generated()
 
 
 func _on_progress(stage: String, fraction: float) -> void:

@@ -12,7 +12,7 @@ const COLORS: Dictionary[String, Color] = {
 	"outside": Color("#e0a030"),
 }
 const TITLES: Dictionary[String, String] = {
-	"stayInside": "Stay inside",
+	"stayInside": "At",
 	"goToBuilding": "Go to",
 	"accompany": "Accompany",
 	"delayedRule": "Run a rule",
