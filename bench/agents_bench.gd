@@ -1,7 +1,7 @@
 extends SceneTree
 ## What a frame costs CitizenManager in the engine, with people as full agents: scenes with a NavigationAgent3D that avoids others.
 ##
-##     godot --headless --fixed-fps 60 --path . --script bench/agents_bench.gd
+##     godot --headless --fixed-fps 60 --path . --script bench/agents_bench.gd [-- PERSONS]
 ##
 ## 300 lots, 2,000 persons on a weekday, at four in the afternoon, when school and work end. Everybody outdoors has a scene; the clock runs in real
 ## time. Prints one JSON object a figure, as the programs of this folder do. What the engine spends on avoidance is told separately; nothing is drawn.
@@ -11,7 +11,9 @@ const FRAME := 1.0 / 60.0 ## seconds
 const BEGIN := 15.0 * 3600.0 + 59.0 * 60.0 + 45.0
 const WARM_UP := 1200 ## frames, until all have left and have their scenes
 const MEASURED := 1800 ## frames
-const PERSONS := 2000
+const PERSONS := 2000 ## or as the first argument says
+const LOTS_A_PERSON := 0.15
+const ALL := 100000 ## scenes
 const LIMIT_AVERAGE := 1.0 ## ms
 const LIMIT_PERCENTILE := 4.0 ## ms
 
@@ -24,7 +26,8 @@ func _initialize() -> void:
 
 
 func _run() -> void:
-	_make_world()
+	var arguments: PackedStringArray = OS.get_cmdline_user_args()
+	_make_world(arguments[0].to_int() if arguments.size() > 0 else PERSONS)
 	_city.generate()
 	if not await _city.city_generated or not _citizens.generate_population():
 		printerr("agents_bench: there is no city to live in")
@@ -40,16 +43,16 @@ func _run() -> void:
 	quit(0)
 
 
-func _make_world() -> void:
+func _make_world(persons: int) -> void:
 	var world := Node3D.new()
 	root.add_child(world)
-	_city = DemoCity.make_city(300, 1)
+	_city = DemoCity.make_city(ceili(persons * LOTS_A_PERSON), 1)
 	world.add_child(_city)
 	_citizens = CitizenManager.new()
 	_citizens.city = _city
 	_citizens.rules = PCGRuleSet.from_file(DemoCity.RULES)
 	_citizens.household_table = PCGHouseholdTable.from_file(DemoCity.HOUSEHOLDS)
-	_citizens.person_count = PERSONS
+	_citizens.person_count = persons
 	_citizens.paused = true # this script moves the clock, and takes the time
 	var view := PCGAgentView.new()
 	view.agent_distance = 2000.0
@@ -65,7 +68,7 @@ func _make_world() -> void:
 
 
 func _measure(what: String, has_scenes: bool) -> void:
-	_citizens.get_agent_view().agent_limit = PERSONS if has_scenes else 0
+	_citizens.get_agent_view().agent_limit = ALL if has_scenes else 0
 	var milliseconds := PackedFloat64Array()
 	var avoidance := 0.0
 	var outside := 0

@@ -1,0 +1,86 @@
+// Bodies in the core: what a frame costs that moves everybody, chooses who is shown how and writes the figures; and that it takes no memory. Everybody
+// walks to and fro on a field of 500 m, the camera flies over it. No peer.
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <new>
+#include <string>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "core/base/random.h"
+#include "core/figure/crowd.h"
+
+using namespace pcg;
+
+static uint64_t allocations = 0;
+
+void *operator new(size_t size) {
+	++allocations;
+	void *memory = std::malloc(size);
+	return memory ? memory : (std::abort(), nullptr);
+}
+void operator delete(void *memory) noexcept { std::free(memory); }
+void operator delete(void *memory, size_t) noexcept { std::free(memory); }
+
+namespace {
+
+constexpr float field = 500.0f; // metres
+constexpr int frames = 600;
+constexpr int first_frames = 300; // until lists have grown
+
+void print(const std::string &name, double value, const char *unit) {
+	std::printf("{\"name\":\"%s\",\"value\":%.6g,\"unit\":\"%s\",\"peer\":null,\"ratio\":null}\n", name.c_str(), value, unit);
+}
+
+Population make_people(uint32_t count) {
+	Population population;
+	population.households.push_back({ .first_member = PersonId(0), .member_count = uint16_t(count) });
+	for (uint32_t i = 0; i < count; ++i) {
+		population.persons.push_back({ .household = HouseholdId(0), .age = float(i % 90) });
+	}
+	return population;
+}
+
+Eye eye_over(float time) {
+	const glm::vec3 position(field / 2.0f + 200.0f * std::cos(time), 30.0f, field / 2.0f + 200.0f * std::sin(time));
+	const glm::vec3 ahead = position + glm::vec3(-std::sin(time), -0.4f, std::cos(time));
+	return Eye::at(position, glm::perspective(1.0f, 1.6f, 0.1f, 1000.0f) * glm::lookAt(position, ahead, glm::vec3(0, 1, 0)));
+}
+
+void measure(uint32_t count, const std::string &name) {
+	const Population population = make_people(count);
+	SimTime now;
+	Crowd crowd(population, nullptr, [&] { return now; });
+	Random random(1);
+	for (uint32_t i = 0; i < count; ++i) {
+		const glm::vec3 home(float(random.uniform()) * field, 0.0f, float(random.uniform()) * field);
+		const glm::vec3 path[] = { home, home + glm::vec3(40, 0, 0), home + glm::vec3(40, 0, 40) };
+		crowd.spawn_agent(PersonId(i), home);
+		crowd.walk_agent(PersonId(i), path, 1.3f);
+	}
+	const auto live = [&](int begin, int end) {
+		for (int frame = begin; frame < end; ++frame) {
+			now = SimTime{ frame * 16 };
+			crowd.update(now, eye_over(float(frame) * 0.002f), {});
+			crowd.write_figures();
+		}
+	};
+	live(0, first_frames);
+	const uint64_t before = allocations;
+	const auto start = std::chrono::steady_clock::now();
+	live(first_frames, first_frames + frames);
+	const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+	print(name + "_frame", seconds / frames * 1000.0, "ms");
+	print(name + "_allocations_per_frame", double(allocations - before) / frames, "allocations");
+}
+
+} // namespace
+
+int main() {
+	measure(2'000, "crowd_2k");
+	measure(20'000, "crowd_20k");
+	return 0;
+}
