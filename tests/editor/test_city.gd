@@ -136,6 +136,25 @@ func test_saving_rules_offers_to_regenerate_what_uses_them() -> void:
 	get_authoring().rules.close_current()
 
 
+func test_a_click_on_a_building_selects_its_lot() -> void:
+	var city: PCGCity = await _add_small_city()
+	_tab.generate()
+	await _generated(city)
+	var lot: PCGLot = city.find_children("*", "PCGLot", true, false)[0]
+	var geometry: Node = lot.get_node("Geometry")
+	var click := InputEventMouseButton.new()
+	click.button_index = MOUSE_BUTTON_LEFT
+	click.pressed = true
+	get_authoring().take_viewport_input(null, click)
+	EditorInterface.edit_node(geometry)
+	await frames(3)
+	check_equal(EditorInterface.get_selection().get_selected_nodes(), [lot] as Array[Node], "by a click")
+	await get_tree().create_timer(0.5).timeout
+	EditorInterface.edit_node(geometry)
+	await frames(3)
+	check_equal(EditorInterface.get_selection().get_selected_nodes(), [geometry] as Array[Node], "the geometry in the scene dock")
+
+
 func test_cancelling_leaves_nothing_running() -> void:
 	var city: PCGCity = await _add_small_city()
 	_tab.generate()

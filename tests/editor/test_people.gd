@@ -147,3 +147,28 @@ func test_somebody_is_picked_in_the_viewport() -> void:
 	check(_dock.person_tab.pick(camera, camera.unproject_position(at)), "a click on a person")
 	check_equal(_dock.context.person, person, "shows that person")
 	check(not _dock.person_tab.pick(camera, Vector2(-5000.0, 0.0)), "a click on nobody shows nobody")
+
+
+func test_people_who_live_take_over_new_rules_where_they_are() -> void:
+	_citizens.jump_to(0, EIGHT)
+	_citizens.start()
+	_citizens.paused = true
+	_citizens.advance(3600.0)
+	get_authoring().rules.open("res://typed/weekday.pcg")
+	get_authoring().rules.get_current().text = CityForTests.WEEKDAY.replace("8h, 16h", "8h, 12h")
+	get_authoring().rules.save_current()
+	(get_authoring().rules.get_node("%Regenerate") as Button).pressed.emit()
+	await frames(2)
+	check(_citizens.is_running(), "life goes on")
+	check_equal([_citizens.day, _citizens.time], [0, EIGHT + 3600.0], "at the same time")
+	var child: int = _filtered("school")[0]
+	check(_citizens.get_agenda(child).any(func(entry: Dictionary) -> bool: return entry["end"] == 12.0 * 3600.0), "by the new rules: %s" % [_citizens.get_agenda(child)])
+
+
+func test_a_city_that_is_made_anew_is_left_without_a_warning() -> void:
+	_citizens.start()
+	_dock.city_tab.throw_dice()
+	while _city.is_generating():
+		await get_tree().process_frame
+	await frames(2)
+	check(not _citizens.is_running(), "nobody lives there any more")

@@ -5,6 +5,7 @@ extends Node
 const RulesDock := preload("res://addons/pcg/editor/rules/rules_dock.gd")
 const PCGDock := preload("res://addons/pcg/editor/pcg_dock.gd")
 const SceneContext := preload("res://addons/pcg/editor/scene_context.gd")
+const ViewportClicks := preload("res://addons/pcg/editor/viewport_clicks.gd")
 const DOCK_SCENE := preload("res://addons/pcg/editor/pcg_dock.tscn")
 const RULES_SCENE := preload("res://addons/pcg/editor/rules/rules_dock.tscn")
 const GIZMOS: PackedStringArray = ["lot", "entrance", "zone", "object"]
@@ -14,6 +15,7 @@ var plugin: EditorPlugin
 var context: SceneContext
 var dock: PCGDock
 var rules: RulesDock
+var clicks := ViewportClicks.new()
 var gizmos: Array[EditorNode3DGizmoPlugin] = []
 var _docks: Array[EditorDock] = []
 
@@ -34,6 +36,8 @@ func open(of: EditorPlugin) -> void:
 	_add_dock(dock, "PCG", "pcg", "PCGCity", EditorDock.DOCK_SLOT_RIGHT_UL, EditorDock.DOCK_LAYOUT_VERTICAL | EditorDock.DOCK_LAYOUT_FLOATING)
 	_add_dock(rules, "PCG Rules", "pcg_rules", "PCGRuleSet", EditorDock.DOCK_SLOT_BOTTOM, EditorDock.DOCK_LAYOUT_HORIZONTAL | EditorDock.DOCK_LAYOUT_FLOATING)
 	dock.open(context)
+	add_child(clicks)
+	clicks.open(dock.person_tab)
 	dock.place_wanted.connect(show_place)
 	rules.rules_checked.connect(dock.take_rule_diagnostics)
 	rules.rules_closed.connect(dock.forget_rule_diagnostics)
@@ -83,17 +87,12 @@ func _on_regeneration_wanted(path: String) -> void:
 	for node: Node in context.get_users(path):
 		if node is PCGCity:
 			dock.city_tab.history.generate(node as PCGCity)
-		elif (node as CitizenManager).city and (node as CitizenManager).city.is_generated():
-			(node as CitizenManager).generate_population()
+		else:
+			dock.population_tab.live_on(node as CitizenManager)
 
 
-## A click in the 3D viewport while somebody picks a person.
 func take_viewport_input(camera: Camera3D, event: InputEvent) -> int:
-	var button: InputEventMouseButton = event as InputEventMouseButton
-	var is_click: bool = button != null and button.pressed and button.button_index == MOUSE_BUTTON_LEFT
-	if is_click and dock.person_tab.is_picking() and dock.person_tab.pick(camera, button.position):
-		return EditorPlugin.AFTER_GUI_INPUT_STOP
-	return EditorPlugin.AFTER_GUI_INPUT_PASS
+	return clicks.take(camera, event)
 
 
 func edit_rules(edited: Object) -> void:

@@ -66,6 +66,13 @@ func _read_buildings() -> void:
 			_buildings[entrance.building_id] = {"type": entrance.type, "position": entrance.global_position}
 
 
+## Whoever lives in a city leaves it in time: it is about to be made anew.
+func stop_life_in(left_city: PCGCity) -> void:
+	for other: CitizenManager in _find_all("CitizenManager"):
+		if other.city == left_city:
+			other.stop()
+
+
 func show_city(shown: PCGCity) -> void:
 	_city_id = shown.get_instance_id() if shown else 0
 	refresh()

@@ -85,6 +85,7 @@ static func _stored_values(resource: Resource) -> Dictionary:
 ## Gives a city what it was made of, and makes it; an empty description clears it.
 func make(city: PCGCity, described: Dictionary) -> void:
 	_made_of[city.get_instance_id()] = described
+	_context.stop_life_in(city)
 	if city.is_generating():
 		city.cancel()
 	if described.is_empty():

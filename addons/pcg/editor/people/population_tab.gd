@@ -78,6 +78,18 @@ func generate() -> bool:
 	return context.citizens.generate_population()
 
 
+## Gives people the agendas that their rules write now; who lives goes on at the same time of the same day.
+func live_on(citizens: CitizenManager) -> void:
+	if citizens.city == null or not citizens.city.is_generated():
+		return
+	var is_running: bool = citizens.is_running()
+	var day: int = citizens.day
+	var time: float = citizens.time
+	if citizens.generate_population() and is_running:
+		citizens.start()
+		citizens.jump_to(day, time)
+
+
 func count_persons() -> int:
 	return context.citizens.get_statistics()["persons"] if context.citizens else 0
 
@@ -94,7 +106,7 @@ func describe(person: int) -> Dictionary:
 	var told: Dictionary = context.citizens.get_person(person)
 	var households: Array[Dictionary] = context.citizens.household_table.get_households() if context.citizens.household_table else ([] as Array[Dictionary])
 	var row: int = told["household_row"]
-	told["household_type"] = households[row]["descriptor"] if row < households.size() else ""
+	told["household_type"] = households[row]["descriptor"] if row in range(households.size()) else ""
 	var visits: Dictionary[String, bool] = {}
 	for entry: Dictionary in context.citizens.get_agenda(person):
 		if entry["kind"] in ["stayInside", "goToBuilding"]:
