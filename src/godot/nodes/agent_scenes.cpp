@@ -1,4 +1,7 @@
 // The part of PCGAgentView that deals with scenes: who has one, where it stands, who moved it.
+#include <cmath>
+
+#include <godot_cpp/classes/navigation_server3d.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
 #include "core/population/names.h"
@@ -12,6 +15,7 @@ namespace pcg {
 namespace {
 
 constexpr double fastest_steering = 3.0; // times real time; beyond it avoidance comes too late, and people glide along their paths
+constexpr float fastest_walk = 1.7f; // times the natural speed
 constexpr float was_pushed = 0.01f; // metres
 constexpr float same_velocity = 0.1f; // m/s
 
@@ -81,6 +85,7 @@ void PCGAgentView::move_scenes(double scale) {
 		add_scene(slot);
 	}
 	const Basis basis = get_global_transform().basis;
+	NavigationServer3D *server = NavigationServer3D::get_singleton();
 	for (Agent &agent : _agents) {
 		const uint32_t slot = _crowd->slot_of(agent.person);
 		const Body &body = _crowd->body(slot);
@@ -88,8 +93,13 @@ void PCGAgentView::move_scenes(double scale) {
 		const bool is_steered = agent.steering && may_steer(scale);
 		const Vector3 wish = basis.xform(to_godot(body.velocity)) * scale;
 		agent.link->set_velocity(wish);
+		const float fastest = body.natural_speed * fastest_walk * float(scale);
+		if (is_steered && std::abs(fastest - agent.fastest) > 0.1f * fastest) {
+			server->agent_set_max_speed(agent.steering->get_rid(), fastest); // else it would leap aside where people come out of one door
+			agent.fastest = fastest;
+		}
 		if (is_steered && wish.distance_squared_to(agent.wish) > same_velocity * same_velocity) {
-			agent.steering->set_velocity(wish);
+			server->agent_set_velocity(agent.steering->get_rid(), wish); // the node passes velocities on only where it has a target, too
 			agent.wish = wish;
 		}
 		_crowd->set_scene(slot, is_steered || agent.link->get_moves_itself(), agent.link->get_shows_figure());
@@ -130,7 +140,7 @@ void PCGAgentView::add_scene(uint32_t slot) {
 		if (!agent.steering->is_connected("velocity_computed", answer)) {
 			agent.steering->connect("velocity_computed", answer);
 		}
-		agent.steering->set_velocity(Vector3());
+		NavigationServer3D::get_singleton()->agent_set_velocity(agent.steering->get_rid(), Vector3());
 	}
 	_agents.push_back(agent);
 	_crowd->set_scene(slot, false, link->get_shows_figure());

@@ -22,6 +22,8 @@ namespace pcg {
 namespace {
 
 constexpr const char *figure_shader = "res://addons/pcg/figure/figure.gdshader";
+constexpr double scale_window = 0.05; // seconds
+constexpr double leap = 0.5; // seconds of simulated time
 constexpr int figure_kind_total = int(figure_kind_count);
 
 glm::mat4 to_matrix(const Projection &projection) {
@@ -161,6 +163,16 @@ double PCGAgentView::wall_seconds() {
 	return is_new && is_inside_tree() ? get_process_delta_time() : 0.0;
 }
 
+// How fast the clock runs. Over several pictures, for simulated time comes in whole milliseconds; a leap shows at once.
+void PCGAgentView::measure_scale(double simulated, double wall) {
+	_simulated_seconds += simulated;
+	_wall_seconds += wall;
+	if (_wall_seconds >= scale_window || _simulated_seconds > leap) {
+		_scale = _wall_seconds > 0.0 ? _simulated_seconds / _wall_seconds : 0.0;
+		_simulated_seconds = _wall_seconds = 0.0;
+	}
+}
+
 void PCGAgentView::show_at(SimTime time) {
 	if (!_crowd) {
 		return;
@@ -168,7 +180,7 @@ void PCGAgentView::show_at(SimTime time) {
 	const double seconds = wall_seconds();
 	take_moves(seconds);
 	_crowd->update(time, eye(), _limits);
-	_scale = seconds > 0.0 ? _crowd->step_seconds() / seconds : 0.0;
+	measure_scale(_crowd->step_seconds(), seconds);
 	move_scenes(_scale);
 	_crowd->write_figures();
 	for (size_t kind = 0; kind < figure_kind_count; ++kind) {

@@ -65,6 +65,7 @@ private:
 		godot::NavigationAgent3D *steering = nullptr; // null: it does not avoid others
 		godot::Transform3D frame; // as it was left in the last picture
 		godot::Vector3 wish; // the velocity that was last told to the steering
+		float fastest = 0.0f; // and its highest speed
 	};
 
 	static void bind_limits();
@@ -72,6 +73,7 @@ private:
 	void upload(size_t kind);
 	Eye eye() const;
 	double wall_seconds();
+	void measure_scale(double simulated, double wall);
 	// agent_scenes.cpp
 	void take_moves(double seconds);
 	void move_scenes(double scale);
@@ -86,7 +88,8 @@ private:
 	AgentPool _pool;
 	std::shared_ptr<Crowd> _crowd;
 	std::vector<Agent> _agents;
-	double _scale = 0.0; // seconds of simulated time for each of the last picture's
+	double _scale = 0.0; // seconds of simulated time for each of the pictures'
+	double _simulated_seconds = 0.0, _wall_seconds = 0.0; // since it was measured
 	uint64_t _last_frame = 0;
 	godot::Ref<godot::MultiMesh> _meshes[figure_kind_count];
 	godot::PackedFloat32Array _buffers[figure_kind_count]; // kept, so that pictures take no memory
