@@ -5,7 +5,7 @@
     run_bench.py --instructions [CASE..] [--json FILE]
 
 A program prints one JSON object a figure: name, value, unit, peer (what it is compared with), ratio (value over peer; of instructions peer over
-value). With an engine, bench/agents_bench.gd is one of them. Where valgrind is installed, agenda_bench has a figure in instructions too: they are the same on every run, whatever else the machine does.
+value). With an engine, the scripts of bench/ are among them. Where valgrind is installed, agenda_bench has a figure in instructions too: they are the same on every run, whatever else the machine does.
 With --instructions only those of derivations are counted, by face and case.
 """
 
@@ -20,7 +20,6 @@ from pathlib import Path
 from deps import ROOT
 
 DERIVE = ROOT / "build/bench/derive_bench"
-AGENTS = ROOT / "bench/agents_bench.gd"
 FIELDS = ("name", "value", "unit", "peer", "ratio")
 
 
@@ -68,8 +67,9 @@ def jobs_of(options):
     programs = {path.name: path for path in sorted((ROOT / "build/bench").glob("*")) if path.is_file()}
     jobs = {name: lambda path=path: figures_of(path) for name, path in programs.items()}
     if options.engine:
-        command = [options.engine, "--headless", "--no-header", "--fixed-fps", "60", "--path", ".", "--script", f"bench/{AGENTS.name}"]
-        jobs[AGENTS.stem] = lambda: figures_of(AGENTS, *command)
+        for script in sorted((ROOT / "bench").glob("*_bench.gd")):
+            command = [options.engine, "--headless", "--no-header", "--fixed-fps", "60", "--path", ".", "--script", f"bench/{script.name}"]
+            jobs[script.stem] = lambda script=script, command=command: figures_of(script, *command)
     if options.instructions and not shutil.which("valgrind"):
         print("bench: valgrind is not installed", file=sys.stderr)
         return None

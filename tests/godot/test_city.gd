@@ -19,8 +19,9 @@ func _count(city: PCGCity, group: StringName) -> int:
 func test_the_same_seed_gives_the_same_city() -> void:
 	var one: Dictionary = _grown(40, 7).get_statistics()
 	var other: Dictionary = _grown(40, 7).get_statistics()
-	one.erase("seconds")
-	other.erase("seconds")
+	for figure: String in ["seconds", "longest_hold"]:
+		one.erase(figure)
+		other.erase(figure)
 	check_equal(one, other, "statistics")
 	check(one["lots"] > 0 and one["faces"] > 0, "there is something: %s" % [one])
 
@@ -277,3 +278,83 @@ func test_a_city_is_written_as_gltf_or_not_at_all() -> void:
 	check_equal(document.append_from_file(path, state), OK, "the engine reads it")
 	check(state.get_meshes().size() > 0, "and finds meshes")
 	DirAccess.remove_absolute(path)
+
+
+func test_a_generation_that_is_cut_off_in_any_stage_goes_quietly() -> void:
+	for stage: String in ["lots", "scene", "navigation", "distances"]:
+		var city: PCGCity = CityForTests.make_city(40)
+		add_child(city)
+		var seen: Array[bool] = [false]
+		city.generation_progressed.connect(func(now: String, _fraction: float) -> void: seen[0] = seen[0] or now == stage)
+		city.generate()
+		while not seen[0] and city.is_generating():
+			await get_tree().process_frame
+		check(seen[0], "%s was reached" % stage)
+		city.free()
+
+
+func test_nobody_walks_below_what_is_lower_than_people() -> void:
+	var ways: Array[bool] = []
+	for height: float in [1.75, 3.0]: # a roof over the whole lot, 2.5 m up
+		var city: PCGCity = CityForTests.make_city(1)
+		city.agent_height = height
+		city.lot_types = [CityForTests.make_type("house", 1, """@StartRule
+Lot --> entrance("house", 4) t(0, 2.5, 0) extrude(1) X.
+""")]
+		add_child(city)
+		city.generate_now()
+		var lot: PCGLot = city.find_children("*", "PCGLot", true, false)[0]
+		var front: Vector3 = lot.to_global((lot.polygon[0] + lot.polygon[1]) / 2.0)
+		ways.append(city.find_path(front + (front - lot.global_position) * 0.1, lot.global_position).size() > 1)
+		city.free()
+	check_equal(ways, [true, false] as Array[bool], "with people of 1.75 m, and of 3 m")
+
+
+func test_lots_that_were_drawn_and_measured_become_a_city() -> void:
+	var path := "user://footprints_of_tests.geojson"
+	var file := FileAccess.open(path, FileAccess.WRITE)
+	file.store_string(JSON.stringify({"type": "FeatureCollection", "features": [{"type": "Feature",
+			"properties": {"height": 9.0, "building": "school"},
+			"geometry": {"type": "Polygon", "coordinates": [[[200, 200], [230, 200], [230, 220], [200, 220], [200, 200]]]}}]}))
+	file.close()
+	var city: PCGCity = CityForTests.make_city()
+	city.layout.kind = PCGLayout.KIND_FOOTPRINTS
+	city.layout.geojson = path
+	var drawn := Path3D.new()
+	drawn.curve = Curve3D.new()
+	for corner: Vector3 in [Vector3(250, 0, -200), Vector3(250, 0, -230), Vector3(270, 0, -230), Vector3(270, 0, -200), Vector3(250, 0, -200)]:
+		drawn.curve.add_point(corner)
+	drawn.set_meta("lot_type", "house")
+	city.add_child(drawn)
+	var flat := Polygon2D.new()
+	flat.polygon = PackedVector2Array([Vector2(0, 0), Vector2(30, 0), Vector2(30, 30), Vector2(0, 30)])
+	flat.position = Vector2(290, -230)
+	flat.set_meta("lot_type", "park")
+	city.add_child(flat)
+	add_child(city)
+	check(city.generate_now(), "it generates: %s" % [city.get_diagnostics()])
+	var types: Array = city.find_children("*", "PCGLot", true, false).map(func(lot: PCGLot) -> String: return lot.type)
+	types.sort()
+	check_equal(types, ["house", "park", "school"], "what each is")
+	check(is_finite(city.get_distance(0, 1)), "people walk between them")
+	DirAccess.remove_absolute(path)
+
+
+func test_footprints_that_are_missing_or_damaged_are_refused() -> void:
+	var path := "user://damaged_of_tests.geojson"
+	var city: PCGCity = CityForTests.make_city()
+	city.layout.kind = PCGLayout.KIND_FOOTPRINTS
+	add_child(city)
+	city.layout.geojson = "user://there_is_no.geojson"
+	expect_message("there is no such file")
+	check(not city.generate_now(), "a file that is missing is told")
+	var file := FileAccess.open(path, FileAccess.WRITE)
+	file.store_string("{\"type\": \"FeatureCollection\",\n \"features\": [{]}")
+	file.close()
+	city.layout.geojson = path
+	expect_message("damaged_of_tests.geojson:2:")
+	check(not city.generate_now(), "one that is damaged is told with its line")
+	DirAccess.remove_absolute(path)
+	city.layout.geojson = ""
+	expect_message("there are no footprints to lay out")
+	check(not city.generate_now(), "and so is nothing at all")

@@ -97,16 +97,36 @@ void CityBuilder::build_streets() {
 	add_geometry(streets, _city.ground.streets, _city.ground.materials, "Geometry");
 }
 
-void CityBuilder::build_block(BlockId id) {
+bool CityBuilder::build_next() {
+	if (!_has_streets) {
+		_has_streets = true;
+		build_streets();
+		return true;
+	}
+	const std::vector<CityBlock> &blocks = _city.layout.blocks;
+	if (_next_block > 0 && _next_lot < blocks[_next_block - 1].lots.size()) {
+		const LotId lot = blocks[_next_block - 1].lots[_next_lot++];
+		if (Node3D *block = Object::cast_to<Node3D>(ObjectDB::get_instance(_block))) {
+			build_lot(block, lot);
+		}
+		return true;
+	}
+	if (_next_block == blocks.size()) {
+		return false;
+	}
+	begin_block(BlockId(_next_block++));
+	return true;
+}
+
+void CityBuilder::begin_block(BlockId id) {
 	Node3D *block = memnew(Node3D);
 	block->add_to_group(group, true);
 	add(_root, block, block_name(id));
 	if (index_of(id) < _city.ground.blocks.size()) {
 		add_geometry(block, _city.ground.blocks[index_of(id)], _city.ground.materials, "Ground");
 	}
-	for (const LotId lot : _city.layout.block(id).lots) {
-		build_lot(block, lot);
-	}
+	_block = block->get_instance_id();
+	_next_lot = 0;
 }
 
 void CityBuilder::add_region(uint32_t tile, const Ref<NavigationMesh> &mesh) {

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include <godot_cpp/classes/navigation_mesh.hpp>
 #include <godot_cpp/classes/node3d.hpp>
 #include <godot_cpp/classes/ref.hpp>
+#include <godot_cpp/core/object_id.hpp>
 
 #include "core/city/city.h"
 #include "godot/city_materials.h"
@@ -23,8 +25,9 @@ class CityBuilder {
 public:
 	CityBuilder(godot::Node3D *root, const City &city);
 
-	void build_streets();
-	void build_block(BlockId block);
+	// Streets first, then block by block the ground and the lots, one piece a call. False once all are there.
+	bool build_next();
+	double progress() const { return double(_next_block) / double(std::max<size_t>(1, _city.layout.blocks.size())); }
 	void add_region(uint32_t tile, const godot::Ref<godot::NavigationMesh> &mesh);
 	// Of a lot's node: takes away all that generation made, and makes it of what the city says now. What was put there by hand stays.
 	std::vector<const godot::Node *> clear_lot(PCGLot *node, LotId lot); // what has meaning among it
@@ -37,6 +40,8 @@ public:
 	static constexpr const char *group = "pcg_generated";
 
 private:
+	void build_streets();
+	void begin_block(BlockId block);
 	void add(godot::Node *parent, godot::Node *child, const godot::String &name);
 	void add_geometry(godot::Node *parent, const Mesh &mesh, const std::vector<Material> &materials, const char *name,
 			godot::Vector3 position = {});
@@ -50,6 +55,10 @@ private:
 	godot::Node3D *_root;
 	const City &_city;
 	godot::Node *_owner; // of everything that is made, so that it is saved with the scene
+	bool _has_streets = false;
+	uint32_t _next_block = 0;
+	size_t _next_lot = 0; // of the block before that one
+	godot::ObjectID _block; // its node; a user may free it meanwhile
 	CityMaterials _materials;
 	CityInstances _instances{ _materials };
 };

@@ -2,6 +2,9 @@
 
 #include "core/city/walkable.h"
 #include "core/io/file_assets.h"
+#include "core/io/geojson.h"
+#include "godot/convert.h"
+#include "godot/ports/engine_files.h"
 #include "godot/ports/engine_tree.h"
 #include "godot/ports/imported_assets.h"
 
@@ -11,13 +14,40 @@ CityOptions CityJob::options() {
 	_assets = std::make_unique<FileAssets>(_input.asset_folders, std::make_shared<EngineTree>(), std::make_shared<ImportedAssets>(main));
 	CityOptions options;
 	options.derive.assets = _assets.get();
+	options.free_ground = _input.free_ground;
 	options.work.cancel = &is_cancelled;
 	options.work.progress = [this](size_t done, size_t total) { progress = float(done) / float(total); };
 	return options;
 }
 
+std::optional<Layout> CityJob::lay_out() {
+	if (!_input.has_footprints) {
+		return make_layout(_input.layout, diagnostics);
+	}
+	std::vector<Footprint> footprints = _input.footprints;
+	if (!_input.geojson.empty()) {
+		const Result<std::string> text = read_engine_file(to_godot(std::string_view(_input.geojson)));
+		std::optional<std::vector<Footprint>> measured;
+		if (text) {
+			measured = parse_geojson(*text, _input.geojson, diagnostics);
+		} else {
+			diagnostics.add(text.diagnostic());
+		}
+		if (!measured) {
+			return std::nullopt;
+		}
+		footprints.insert(footprints.end(), measured->begin(), measured->end());
+	}
+	if (footprints.empty()) {
+		diagnostics.error("no-footprints", "there are no footprints to lay out",
+				"name a GeoJSON file in the layout's `geojson`, or draw lots: Polygon2D or Path3D nodes below the city");
+		return std::nullopt;
+	}
+	return layout_of_footprints(footprints, _input.layout, diagnostics);
+}
+
 bool CityJob::grow() {
-	std::optional<Layout> layout = make_layout(_input.layout, diagnostics);
+	std::optional<Layout> layout = lay_out();
 	if (!layout) {
 		return false;
 	}

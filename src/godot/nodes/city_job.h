@@ -2,11 +2,14 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "core/base/diagnostic.h"
 #include "core/city/city.h"
 #include "core/city/city_generator.h"
+#include "core/city/footprint_layout.h"
 #include "core/io/file_assets.h"
 #include "core/navigation/nav_mesh.h"
 #include "core/navigation/nav_mesh_paths.h"
@@ -25,8 +28,13 @@ struct CityState {
 
 struct CityInput {
 	LayoutParameters layout;
+	// Lots that were drawn or measured, instead of a layout of streets: a file, and what stands in the scene.
+	bool has_footprints = false;
+	std::string geojson; // a path; empty: none
+	std::vector<Footprint> footprints;
 	RulesByType rules;
 	std::vector<std::string> asset_folders; // beside the rule files' own projects
+	FreeGroundOptions free_ground;
 };
 
 // The part of a generation that runs beside the main thread. One call at a time; the flags may be touched by anybody.
@@ -52,6 +60,7 @@ public:
 
 private:
 	CityOptions options();
+	std::optional<Layout> lay_out();
 
 	CityInput _input;
 	std::unique_ptr<FileAssets> _assets; // of the running call

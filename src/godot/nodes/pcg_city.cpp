@@ -8,11 +8,25 @@
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
 #include "godot/convert.h"
+#include "godot/nodes/drawn_footprints.h"
 #include "godot/report.h"
 
 using namespace godot;
 
 namespace pcg {
+
+namespace {
+
+// Work on the main thread goes on in the next frame after so long. The last piece may take longer: a lot, a tile.
+class Slice {
+public:
+	bool is_over() const { return std::chrono::steady_clock::now() - _begin > std::chrono::milliseconds(3); }
+
+private:
+	const std::chrono::steady_clock::time_point _begin = std::chrono::steady_clock::now();
+};
+
+} // namespace
 
 PCGCity::PCGCity() = default;
 
@@ -41,6 +55,21 @@ void PCGCity::set_agent_radius(double p_metres) {
 	_agent_radius = p_metres;
 }
 
+void PCGCity::set_agent_height(double p_metres) {
+	ERR_FAIL_COND_MSG(!(p_metres >= 0.5 && p_metres <= 5.0), "PCGCity: agent_height is 0.5 m to 5 m.");
+	_agent_height = p_metres;
+}
+
+void PCGCity::set_agent_max_climb(double p_metres) {
+	ERR_FAIL_COND_MSG(!(p_metres >= 0.0 && p_metres <= 1.0), "PCGCity: agent_max_climb is 0 m to 1 m.");
+	_agent_max_climb = p_metres;
+}
+
+void PCGCity::set_agent_max_slope(double p_degrees) {
+	ERR_FAIL_COND_MSG(!(p_degrees >= 0.0 && p_degrees <= 90.0), "PCGCity: agent_max_slope is 0 to 90 degrees.");
+	_agent_max_slope = p_degrees;
+}
+
 void PCGCity::_ready() {
 	set_process(is_generating()); // the engine has just switched it on
 	if (!_state && !is_generating() && !_saved.is_empty() && load_saved()) {
@@ -62,6 +91,9 @@ void PCGCity::_notification(int p_what) {
 bool PCGCity::prepare_job(CityInput &input, Diagnostics &diagnostics) const {
 	if (_layout.is_valid()) {
 		input.layout = _layout->parameters();
+		input.has_footprints = _layout->get_kind() == PCGLayout::KIND_FOOTPRINTS;
+		input.geojson = from_godot(_layout->get_geojson());
+		input.footprints = input.has_footprints ? drawn_footprints(this) : std::vector<Footprint>();
 	} else {
 		diagnostics.error("missing-layout", "PCGCity has no layout", "set its `layout` to a PCGLayout");
 	}
@@ -72,6 +104,8 @@ bool PCGCity::prepare_job(CityInput &input, Diagnostics &diagnostics) const {
 
 bool PCGCity::prepare_rules(CityInput &input, Diagnostics &diagnostics) const {
 	input.asset_folders = from_godot(_asset_folders);
+	input.free_ground.step_height = float(_agent_max_climb);
+	input.free_ground.head_height = float(_agent_height) + 0.25f; // people do not like to brush against it
 	if (_lot_types.is_empty()) {
 		diagnostics.error("missing-lot-types", "PCGCity has no lot types",
 				"add a PCGLotType for each kind of lot to `lot_types`, with the rules that build it");
@@ -104,6 +138,7 @@ bool PCGCity::begin(bool is_async) {
 	CityInput input;
 	_diagnostics = Diagnostics();
 	_seconds.clear();
+	_longest_hold = 0.0;
 	if (!prepare_job(input, _diagnostics)) {
 		report(_diagnostics);
 		tell_end(false);
@@ -200,6 +235,12 @@ void PCGCity::_process(double) {
 
 // One slice of work on the main thread.
 void PCGCity::go_on() {
+	const auto begin = std::chrono::steady_clock::now();
+	go_on_with_stage();
+	_longest_hold = std::max(_longest_hold, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+}
+
+void PCGCity::go_on_with_stage() {
 	switch (_stage) {
 		case Stage::Idle: break;
 		case Stage::Growing:
@@ -210,8 +251,8 @@ void PCGCity::go_on() {
 				_job->has_succeeded ? begin_building() : fail();
 			}
 			break;
-		case Stage::Building: build_next_block(); break;
-		case Stage::Baking: collect_baked(); break;
+		case Stage::Building: build_slice(); break;
+		case Stage::Baking: bake_slice(); break;
 		case Stage::Joining:
 			tell_progress(_job->progress);
 			if (is_task_done()) {
@@ -248,24 +289,24 @@ void PCGCity::wait_for_task() {
 void PCGCity::begin_building() {
 	note_seconds("lots");
 	_stage = Stage::Building;
-	_next_block = 0;
 	tear_down();
 	_state_in_scene = _job->state;
 	_edits.follow(_state_in_scene);
 	_edits.forget_ids();
 	_builder = std::make_unique<CityBuilder>(this, _job->state->city);
-	_builder->build_streets();
 }
 
-void PCGCity::build_next_block() {
-	const size_t count = _job->state->city.layout.blocks.size();
-	if (_next_block < count) {
-		_builder->build_block(BlockId(_next_block++));
-		tell_progress(double(_next_block) / double(count));
-	} else {
-		note_seconds("scene");
-		begin_baking();
+void PCGCity::build_slice() {
+	const Slice slice;
+	while (_builder->build_next()) {
+		if (_is_async && slice.is_over()) {
+			tell_progress(_builder->progress());
+			return;
+		}
 	}
+	tell_progress(1.0);
+	note_seconds("scene");
+	begin_baking();
 }
 
 void PCGCity::begin_baking() {
@@ -274,20 +315,25 @@ void PCGCity::begin_baking() {
 	_ground = std::make_unique<CityGround>(_job->state, bake_settings(), _edits.patches());
 	_baker = std::make_unique<TileBaker>(_job->state->city, bake_settings());
 	_job->state->regions.resize(_baker->tile_count());
-	for (size_t i = 0; i < _baker->tile_count(); ++i) {
-		_baker->bake(uint32_t(i), _is_async);
-	}
-	_next_tile = 0;
+	_next_bake = _next_tile = 0;
 }
 
-void PCGCity::collect_baked() {
-	while (_next_tile < _baker->tile_count() && !_baker->is_baking(_next_tile)) {
-		const Ref<NavigationMesh> mesh = _baker->finish(_next_tile);
-		_builder->add_region(_next_tile, mesh);
-		_job->state->regions[_next_tile++] = from_godot(mesh);
-	}
-	tell_progress(double(_next_tile) / double(std::max<size_t>(1, _baker->tile_count())));
-	if (_next_tile == _baker->tile_count()) {
+void PCGCity::bake_slice() {
+	const Slice slice;
+	const uint32_t count = uint32_t(_baker->tile_count());
+	do {
+		if (_next_bake < count) {
+			_baker->bake(_next_bake++, _is_async);
+		} else if (_next_tile < count && !_baker->is_baking(_next_tile)) {
+			const Ref<NavigationMesh> mesh = _baker->finish(_next_tile);
+			_builder->add_region(_next_tile, mesh);
+			_job->state->regions[_next_tile++] = from_godot(mesh);
+		} else {
+			break;
+		}
+	} while (!slice.is_over());
+	tell_progress(double(_next_tile) / double(std::max<uint32_t>(1, count)));
+	if (_next_tile == count) {
 		note_seconds("navigation");
 		_baker.reset();
 		update_model(); // the model is read from now on

@@ -23,7 +23,7 @@
 
 namespace pcg {
 
-// A city in the scene. Generation goes through the stages below; only BUILDING needs the main thread, a block a frame.
+// A city in the scene. Generation goes through the stages below; BUILDING and BAKING need the main thread, a few milliseconds a frame.
 class PCGCity : public godot::Node3D {
 	GDCLASS(PCGCity, godot::Node3D)
 
@@ -41,6 +41,12 @@ public:
 	bool get_generate_on_ready() const { return _generate_on_ready; }
 	void set_agent_radius(double p_metres);
 	double get_agent_radius() const { return _agent_radius; }
+	void set_agent_height(double p_metres);
+	double get_agent_height() const { return _agent_height; }
+	void set_agent_max_climb(double p_metres);
+	double get_agent_max_climb() const { return _agent_max_climb; }
+	void set_agent_max_slope(double p_degrees);
+	double get_agent_max_slope() const { return _agent_max_slope; }
 
 	void set_asset_folders(const godot::PackedStringArray &p_folders) { _asset_folders = p_folders; }
 	godot::PackedStringArray get_asset_folders() const { return _asset_folders; }
@@ -86,6 +92,7 @@ protected:
 
 private:
 	static void bind_properties();
+	static void bind_navigation();
 
 	enum class Stage { Idle, Growing, Building, Baking, Joining };
 
@@ -101,14 +108,15 @@ private:
 	void go_on_with_ground();
 	bool regenerate(const std::vector<LotId> &lots);
 	void go_on();
+	void go_on_with_stage();
 	void start_task(Stage stage);
 	void run_task();
 	void wait_for_task();
 	bool is_task_done() const;
 	void begin_building();
-	void build_next_block();
+	void build_slice();
 	void begin_baking();
-	void collect_baked();
+	void bake_slice();
 	void finish();
 	void fail();
 	void stop();
@@ -123,6 +131,9 @@ private:
 	int64_t _seed = 1;
 	bool _generate_on_ready = false;
 	double _agent_radius = 0.25;
+	double _agent_height = 1.75;
+	double _agent_max_climb = 0.35;
+	double _agent_max_slope = 45.0;
 	godot::PackedStringArray _asset_folders;
 
 	Stage _stage = Stage::Idle;
@@ -131,8 +142,8 @@ private:
 	std::unique_ptr<CityJob> _job;
 	std::unique_ptr<CityBuilder> _builder;
 	std::unique_ptr<TileBaker> _baker;
-	uint32_t _next_block = 0; // to build
-	uint32_t _next_tile = 0; // to wait for
+	uint32_t _next_bake = 0, _next_tile = 0; // tiles to begin with, and to wait for
+	double _longest_hold = 0.0; // seconds
 	std::chrono::steady_clock::time_point _stage_start;
 	godot::Dictionary _seconds; // by stage, of the last generation
 	Diagnostics _diagnostics;

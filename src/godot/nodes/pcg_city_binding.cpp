@@ -30,11 +30,26 @@ void PCGCity::bind_properties() {
 	ClassDB::bind_method(D_METHOD("get_saved_city"), &PCGCity::get_saved_city);
 	ADD_PROPERTY(PropertyInfo(Variant::PACKED_BYTE_ARRAY, "saved_city", PROPERTY_HINT_NONE, "", PROPERTY_USAGE_STORAGE), "set_saved_city",
 			"get_saved_city");
+	bind_navigation();
+}
+
+void PCGCity::bind_navigation() {
 	ADD_GROUP("Navigation", "");
 	ClassDB::bind_method(D_METHOD("set_agent_radius", "metres"), &PCGCity::set_agent_radius);
 	ClassDB::bind_method(D_METHOD("get_agent_radius"), &PCGCity::get_agent_radius);
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "agent_radius", PROPERTY_HINT_RANGE, "0,1,0.05,suffix:m"), "set_agent_radius",
 			"get_agent_radius");
+	ClassDB::bind_method(D_METHOD("set_agent_height", "metres"), &PCGCity::set_agent_height);
+	ClassDB::bind_method(D_METHOD("get_agent_height"), &PCGCity::get_agent_height);
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "agent_height", PROPERTY_HINT_RANGE, "0.5,5,0.05,suffix:m"), "set_agent_height", "get_agent_height");
+	ClassDB::bind_method(D_METHOD("set_agent_max_climb", "metres"), &PCGCity::set_agent_max_climb);
+	ClassDB::bind_method(D_METHOD("get_agent_max_climb"), &PCGCity::get_agent_max_climb);
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "agent_max_climb", PROPERTY_HINT_RANGE, "0,1,0.05,suffix:m"), "set_agent_max_climb",
+			"get_agent_max_climb");
+	ClassDB::bind_method(D_METHOD("set_agent_max_slope", "degrees"), &PCGCity::set_agent_max_slope);
+	ClassDB::bind_method(D_METHOD("get_agent_max_slope"), &PCGCity::get_agent_max_slope);
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "agent_max_slope", PROPERTY_HINT_RANGE, "0,90,0.5,suffix:°"), "set_agent_max_slope",
+			"get_agent_max_slope");
 }
 
 void PCGCity::_bind_methods() {

@@ -46,6 +46,9 @@ BakeSettings PCGCity::bake_settings() const {
 	settings.cell_size = float(server->map_get_cell_size(map));
 	settings.cell_height = float(server->map_get_cell_height(map));
 	settings.agent_radius = float(_agent_radius);
+	settings.agent_height = float(_agent_height);
+	settings.agent_max_climb = float(_agent_max_climb);
+	settings.agent_max_slope = float(_agent_max_slope);
 	return settings;
 }
 

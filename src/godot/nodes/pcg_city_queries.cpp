@@ -56,6 +56,7 @@ Dictionary PCGCity::get_statistics() const {
 	result["zones"] = int64_t(std::ranges::count_if(city.model.zones(), is_there));
 	result["objects"] = int64_t(std::ranges::count_if(city.model.objects(), is_there));
 	result["seconds"] = _seconds;
+	result["longest_hold"] = _longest_hold;
 	return result;
 }
 

@@ -41,7 +41,8 @@ void TileBaker::bake(uint32_t tile, bool is_async) {
 	job.mesh->set_cell_height(_settings.cell_height);
 	job.mesh->set_agent_radius(_settings.agent_radius);
 	job.mesh->set_agent_height(std::ceil(_settings.agent_height / _settings.cell_height) * _settings.cell_height);
-	job.mesh->set_agent_max_climb(_settings.cell_height);
+	job.mesh->set_agent_max_climb(std::floor(_settings.agent_max_climb / _settings.cell_height) * _settings.cell_height);
+	job.mesh->set_agent_max_slope(_settings.agent_max_slope);
 	job.mesh->set_border_size(border);
 	job.mesh->set_filter_baking_aabb(snapped(place.min, place.max));
 	job.is_finished = faces.is_empty(); // the engine would complain

@@ -19,6 +19,8 @@ struct BakeSettings {
 	float cell_height = 0.25f;
 	float agent_radius = 0.25f; // how far from walls people keep
 	float agent_height = 1.75f;
+	float agent_max_climb = 0.35f; // rounded down to whole cells
+	float agent_max_slope = 45.0f; // degrees
 };
 
 // Bakes the walkable ground of a city, a region for each tile of its layout. A bake in one piece fails on a whole city (0 polygons at 960 m), and only

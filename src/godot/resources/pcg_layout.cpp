@@ -21,9 +21,13 @@ void PCGLayout::_bind_methods() {
 	BIND_ENUM_CONSTANT(KIND_GRID);
 	BIND_ENUM_CONSTANT(KIND_RADIAL);
 	BIND_ENUM_CONSTANT(KIND_GROWN);
+	BIND_ENUM_CONSTANT(KIND_FOOTPRINTS);
 	ClassDB::bind_method(D_METHOD("set_kind", "kind"), &PCGLayout::set_kind);
 	ClassDB::bind_method(D_METHOD("get_kind"), &PCGLayout::get_kind);
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "kind", PROPERTY_HINT_ENUM, "Grid,Radial,Grown"), "set_kind", "get_kind");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "kind", PROPERTY_HINT_ENUM, "Grid,Radial,Grown,Footprints"), "set_kind", "get_kind");
+	ClassDB::bind_method(D_METHOD("set_geojson", "path"), &PCGLayout::set_geojson);
+	ClassDB::bind_method(D_METHOD("get_geojson"), &PCGLayout::get_geojson);
+	ADD_PROPERTY(PropertyInfo(Variant::STRING, "geojson", PROPERTY_HINT_FILE, "*.geojson,*.json"), "set_geojson", "get_geojson");
 	PCG_BIND(INT, rings, "1,100");
 	PCG_BIND(INT, spokes, "5,64");
 	PCG_BIND(INT, blocks_x, "1,100,1,or_greater");
@@ -70,9 +74,17 @@ PCG_SETTER(removed, double, float)
 #undef PCG_SETTER
 
 void PCGLayout::set_kind(Kind p_kind) {
-	ERR_FAIL_COND_MSG(p_kind < KIND_GRID || p_kind > KIND_GROWN, "PCGLayout: kind is KIND_GRID, KIND_RADIAL or KIND_GROWN.");
-	_parameters.kind = LayoutKind(p_kind);
+	ERR_FAIL_COND_MSG(p_kind < KIND_GRID || p_kind > KIND_FOOTPRINTS, "PCGLayout: kind is KIND_GRID, KIND_RADIAL, KIND_GROWN or KIND_FOOTPRINTS.");
+	_has_footprints = p_kind == KIND_FOOTPRINTS;
+	if (!_has_footprints) {
+		_parameters.kind = LayoutKind(p_kind);
+	}
 	notify_property_list_changed();
+	emit_changed();
+}
+
+void PCGLayout::set_geojson(const String &p_path) {
+	_geojson = p_path;
 	emit_changed();
 }
 
@@ -80,8 +92,10 @@ void PCGLayout::set_kind(Kind p_kind) {
 void PCGLayout::_validate_property(PropertyInfo &p_property) const {
 	const bool is_radial = _parameters.kind == LayoutKind::Radial, is_grid = _parameters.kind == LayoutKind::Grid;
 	const auto is = [&](const char *name) { return p_property.name == StringName(name); };
-	if ((!is_radial && (is("rings") || is("spokes"))) || (is_radial && (is("blocks_x") || is("blocks_z"))) ||
-			(is_grid && is("main_street_width"))) {
+	const bool is_of_streets = is("rings") || is("spokes") || is("blocks_x") || is("blocks_z") || is("main_street_width") || is("lots_along") ||
+			is("lots_deep") || is("lot_front") || is("lot_aspect") || is("jitter") || is("removed");
+	if ((!is_radial && (is("rings") || is("spokes"))) || (is_radial && (is("blocks_x") || is("blocks_z"))) || (is_grid && is("main_street_width")) ||
+			(_has_footprints ? is_of_streets : is("geojson"))) {
 		p_property.usage = PROPERTY_USAGE_STORAGE;
 	}
 }
@@ -103,6 +117,9 @@ LayoutParameters PCGLayout::parameters() const {
 }
 
 int PCGLayout::get_lot_count() const {
+	if (_has_footprints) {
+		return 0; // the city knows them
+	}
 	Diagnostics unheard;
 	const std::optional<Layout> layout = make_layout(_parameters, unheard);
 	return layout ? int(layout->lots.size()) : 0;

@@ -13,10 +13,17 @@ class PCGLayout : public godot::Resource {
 	GDCLASS(PCGLayout, godot::Resource)
 
 public:
-	enum Kind { KIND_GRID = int(LayoutKind::Grid), KIND_RADIAL = int(LayoutKind::Radial), KIND_GROWN = int(LayoutKind::Grown) };
+	enum Kind {
+		KIND_GRID = int(LayoutKind::Grid),
+		KIND_RADIAL = int(LayoutKind::Radial),
+		KIND_GROWN = int(LayoutKind::Grown),
+		KIND_FOOTPRINTS, // lots that were drawn or measured; there are no parameters for streets
+	};
 
 	void set_kind(Kind p_kind);
-	Kind get_kind() const { return Kind(_parameters.kind); }
+	Kind get_kind() const { return _has_footprints ? KIND_FOOTPRINTS : Kind(_parameters.kind); }
+	void set_geojson(const godot::String &p_path);
+	godot::String get_geojson() const { return _geojson; }
 	void set_rings(int p_count);
 	int get_rings() const { return int(_parameters.rings); }
 	void set_spokes(int p_count);
@@ -60,6 +67,8 @@ protected:
 
 private:
 	LayoutParameters _parameters;
+	bool _has_footprints = false;
+	godot::String _geojson; // a path; empty: none
 	godot::TypedArray<PCGDistrict> _districts;
 };
 

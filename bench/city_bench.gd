@@ -1,0 +1,92 @@
+extends SceneTree
+## What a city costs in the engine: generating it with the shipped rules, edits, ways beside those of the engine's navigation server, and a large one.
+##
+##     godot --headless --path . --script bench/city_bench.gd [-- LOTS]
+##
+## 300 lots, then LOTS (5,000 by default; 0: none). Prints one JSON object a figure, as the programs of this folder do.
+
+const DemoCity := preload("res://demo/demo_city.gd")
+const LIMIT_SECONDS := 3.0
+const LIMIT_HOLD := 8.0 ## ms
+const LIMIT_EDIT := 200.0 ## ms
+const LIMIT_FASTER := 20.0 ## times the engine's queries a second
+const PAIRS := 1000
+
+
+func _initialize() -> void:
+	_run.call_deferred()
+
+
+func _run() -> void:
+	var city: PCGCity = await _generate(300, "300", LIMIT_SECONDS)
+	await _edit(city)
+	await _walk(city)
+	city.free()
+	await process_frame
+	var arguments: PackedStringArray = OS.get_cmdline_user_args()
+	var lots: int = int(arguments[0]) if arguments.size() > 0 else 5000
+	if lots > 0:
+		var before: int = OS.get_static_memory_usage()
+		city = await _generate(lots, str(lots), 0.0)
+		_print("city_memory_%d" % lots, (OS.get_static_memory_usage() - before) / 1e6, "MB in the engine's memory", 0.0)
+		city.free()
+		await process_frame
+	quit(0)
+
+
+func _generate(lots: int, name: String, limit: float) -> PCGCity:
+	var city: PCGCity = DemoCity.make_city(lots, 1)
+	root.add_child(city)
+	var begin: int = Time.get_ticks_usec()
+	city.generate()
+	await city.city_generated
+	await process_frame
+	_print("city_generate_%s" % name, (Time.get_ticks_usec() - begin) / 1e6, "s", limit)
+	var made: Dictionary = city.get_statistics()
+	for stage: String in made["seconds"]:
+		_print("city_generate_%s_%s" % [name, stage], made["seconds"][stage], "s", 0.0)
+	_print("city_longest_hold_%s" % name, made["longest_hold"] * 1e3, "ms", LIMIT_HOLD)
+	return city
+
+
+# From the deletion of a lot until ways lead over its ground.
+func _edit(city: PCGCity) -> void:
+	var lot: PCGLot = city.find_children("*", "PCGLot", true, false)[40]
+	var begin: int = Time.get_ticks_usec()
+	lot.queue_free()
+	await city.navigation_updated
+	_print("city_edit", (Time.get_ticks_usec() - begin) / 1e3, "ms", LIMIT_EDIT)
+
+
+func _walk(city: PCGCity) -> void:
+	var doors: Array = city.find_children("*", "PCGEntrance", true, false).map(func(door: PCGEntrance) -> Vector3: return door.global_position)
+	var map: RID = city.get_world_3d().navigation_map
+	var patience: int = Time.get_ticks_msec() + 60000
+	while Time.get_ticks_msec() < patience: # until the server has taken in all regions
+		await create_timer(0.1).timeout
+		if NavigationServer3D.map_get_path(map, doors.front(), doors.back(), true).size() > 1:
+			break
+	var pairs: Array[Vector3] = []
+	seed(7)
+	for i: int in 2 * PAIRS:
+		pairs.append(doors[randi() % doors.size()])
+	var begin: int = Time.get_ticks_usec()
+	var found := 0
+	for i: int in PAIRS:
+		found += int(NavigationServer3D.map_get_path(map, pairs[2 * i], pairs[2 * i + 1], true).size() > 1)
+	var theirs: float = (Time.get_ticks_usec() - begin) / float(PAIRS)
+	begin = Time.get_ticks_usec()
+	for i: int in PAIRS:
+		city.find_path(pairs[2 * i], pairs[2 * i + 1])
+	var ours: float = (Time.get_ticks_usec() - begin) / float(PAIRS)
+	if found < PAIRS * 9 / 10:
+		printerr("city_bench: the engine's server finds %d of %d ways" % [found, PAIRS])
+		quit(1)
+		return
+	_print("city_path", ours, "us", theirs)
+	_print("city_path_faster", theirs / ours, "times the engine's", LIMIT_FASTER)
+
+
+func _print(name: String, value: float, unit: String, peer: float) -> void:
+	print(JSON.stringify({"name": name, "value": snappedf(value, 0.001), "unit": unit, "peer": snappedf(peer, 0.001),
+			"ratio": snappedf(value / peer, 0.001) if peer > 0.0 else 0.0}))
