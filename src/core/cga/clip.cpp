@@ -109,7 +109,7 @@ void Clipper::clip_face(const Geometry &geometry, const GeometryFace &face) {
 		return;
 	}
 	const glm::dvec3 normal = face_normal(geometry, face);
-	if (face.loop_count == 1 && clip_simple(geometry, face, normal)) {
+	if (clip_edge(geometry, face) || (face.loop_count == 1 && clip_simple(geometry, face, normal))) {
 		return;
 	}
 	_chains.clear();

@@ -55,6 +55,7 @@ private:
 	void measure_uv(const Geometry &geometry, double at, bool keeps_above);
 	bool is_cut(bool &is_whole) const;
 	void clip_face(const Geometry &geometry, const GeometryFace &face);
+	bool clip_edge(const Geometry &geometry, const GeometryFace &face);
 	bool clip_simple(const Geometry &geometry, const GeometryFace &face, glm::dvec3 normal);
 	double place_on_cut(glm::dvec3 point, const CornerOrigin &origin) const;
 	void collect_chains(const Geometry &geometry, uint32_t loop, bool is_outline);

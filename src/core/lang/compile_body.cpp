@@ -180,7 +180,7 @@ void Compiler::rule_arguments(NodeRange list) {
 void Compiler::rule_call(uint32_t definition, const Command &command) {
 	rule_arguments(command.arguments);
 	const bool is_by_host = _dialect.rule_calls == Dialect::RuleCalls::ByHost;
-	const uint32_t index = _definitions[definition].index;
+	const uint32_t index = _definitions[replaced_by_caller(definition)].index;
 	_edges.push_back({ _current_rule, index, false });
 	emit(is_by_host ? OpCode::CallHostRule : OpCode::CallRule, command.offset, -int(command.arguments.count), index, 0,
 			command.arguments.count);

@@ -32,6 +32,33 @@ std::vector<uint32_t> attributes_below(const RuleSet &set, const std::vector<Def
 
 } // namespace
 
+void RuleSet::replace(uint32_t definition, uint32_t module, const AstOverride &by) {
+	const Definition old = definitions[definition];
+	Definition &changed = definitions[definition];
+	changed.module = module;
+	changed.offset = by.offset;
+	changed.override_item = &by;
+	if (old.item->is_extension && old.override_item == nullptr) {
+		changed.replaced = uint32_t(definitions.size());
+		definitions.push_back(old);
+	}
+}
+
+// import imp : "f" (Ext --> My)   extension My --> imp.Ext: in My the call means the rule that My stands for, not My again.
+uint32_t Compiler::replaced_by_caller(uint32_t definition) const {
+	const Definition &called = _definitions[definition];
+	if (called.replaced == no_node || _current_rule == no_node) {
+		return definition;
+	}
+	const Module &module = _set.modules[called.module];
+	const Ast &ast = _set.files[module.file]->ast;
+	const auto commands = ast.list(ast.bodies[called.override_item->body].commands);
+	const Command *only = commands.size() == 1 ? &ast.commands[commands[0]] : nullptr;
+	const bool is_call = only != nullptr && only->kind == CommandKind::Call;
+	const uint32_t own = is_call ? _set.find_rule(module.space, only->name, only->arguments.count) : no_node;
+	return own != no_node && _definitions[own].index == _current_rule ? called.replaced : definition;
+}
+
 uint32_t Compiler::begin_import(uint32_t import_call, uint32_t offset) {
 	const AstImportCall &call = _scope.ast->import_calls[import_call];
 	const std::string path = std::string(call.import) + ".x";

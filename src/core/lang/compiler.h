@@ -133,6 +133,7 @@ private:
 	void rule_argument(const Expr &expr);
 	void target_argument(const Expr &expr);
 	bool selector_argument(const Expr &expr, OpCode code, std::string_view words); // sel("..")
+	uint32_t replaced_by_caller(uint32_t definition) const;
 	uint32_t begin_import(uint32_t import_call, uint32_t offset); // gives the space of the import, no_node if there is none
 	int choose_function(std::string_view name, NodeRange list) const;
 	int choose_operation(std::string_view name, NodeRange list) const;

@@ -303,12 +303,9 @@ void Loader::define_overrides(uint32_t module, const AstImport &import, uint32_t
 					"`" + import.path + "` has no " + (is_rule ? "rule `" : "attribute `") + std::string(item.name) + "`"));
 			continue;
 		}
-		if (!_set.definitions[target].is_default_style) {
-			continue;
+		if (_set.definitions[target].is_default_style) {
+			_set.replace(target, module, item);
 		}
-		_set.definitions[target].module = module;
-		_set.definitions[target].offset = item.offset;
-		_set.definitions[target].override_item = &item;
 	}
 }
 

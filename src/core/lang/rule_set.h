@@ -40,6 +40,7 @@ struct Definition {
 	uint32_t style_level = 0; // how far its style is from the chosen one: 0 that one, 1 what it extends ..
 	bool is_default_style = true; // importing files may override it
 	uint32_t inherits = no_node; // attribute whose value this one takes (definition of the importing file)
+	uint32_t replaced = no_node; // the extension as its own file has it, where an import's list has another rule for it
 };
 
 // Names that see each other: a file and what it imports without an id.
@@ -66,6 +67,8 @@ struct RuleSet {
 	bool has_value(uint32_t space, std::string_view name) const;
 	// The space that the ids in front of the last dot lead to, and `name` without them; no_node if there is no such import.
 	uint32_t enter_space(uint32_t space, std::string_view &name) const;
+	// An import's list in `module` has another value or rule for the definition.
+	void replace(uint32_t definition, uint32_t module, const AstOverride &by);
 	// Whether `name` may be unknown only because of something that was diagnosed before.
 	bool is_excused(uint32_t space, std::string_view name) const;
 	const Source &source_of(const Definition &definition) const {

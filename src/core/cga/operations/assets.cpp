@@ -179,10 +179,11 @@ void add_asset_operations(Dialect &dialect) {
 	auto &operations = dialect.operations;
 	const ParamSpec sides = { "sides", Number, {}, true }, radius = { "radius", Number, {}, true }, height = { "height", Number, {}, true };
 	operations.push_back({ "i",
-			{ { "file", Text }, { "up", Word, "yUp zUp", true }, { "mode", Word, "alignSizeAndPosition keepSizeAndPosition keepSizeAlignPosition", true } },
+			{ { "file", Text }, { "up", Word, "yUp zUp", true }, { "mode", Word, "alignSizeAndPosition keepSizeAndPosition keepSizeAlignPosition", true },
+					{ "cleanup", Word, "numericalCleanup noCleanup", true } },
 			BlockKind::None, insert,
 			"Replaces the geometry by a model (.obj, .glb, .gltf) that fills the scope; sizes of 0 follow from the model. \"builtin:cube\" is a box. "
-			"keepSizeAndPosition leaves the model as it is, keepSizeAlignPosition puts it on the middle of the scope's floor." });
+			"keepSizeAndPosition leaves the model as it is, keepSizeAlignPosition puts it on the middle of the scope's floor. Models are never cleaned up." });
 	operations.push_back({ "trim", {}, BlockKind::None, trim,
 			"Cuts the geometry by the planes that comp(f) put through the edges of its face, as far as trim.vertical and trim.horizontal are on." });
 	operations.push_back({ "primitiveCube", {}, BlockKind::None, cube, "A box that fills the scope." });

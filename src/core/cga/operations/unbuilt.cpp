@@ -36,6 +36,9 @@ template <ValueType type> Value nothing(Vm &vm, const Args &args) {
 
 Value metadata(Vm &, const Args &args) { return args[2]; }
 
+// Whose tags are meant.
+const ParamSpec parts = { "components", ParamKind::Word, "all faces edges vertices", true };
+
 constexpr std::string_view function_help = "Not built: gives 0, false or nothing, with a warning.";
 
 template <ValueType type> void add_function(Dialect &dialect, const char *name, std::vector<ParamSpec> params) {
@@ -54,8 +57,8 @@ void add_unbuilt_functions(Dialect &dialect) {
 	add_function<ValueType::Array>(dialect, "readMaterial", { file });
 	add_function<ValueType::Array>(dialect, "geometry.groups", {});
 	add_function<ValueType::Array>(dialect, "geometry.materials", {});
-	add_function<ValueType::Array>(dialect, "geometry.tags", { { "argument", Any, {}, true, true } });
-	add_function<ValueType::Bool>(dialect, "geometry.hasTags", { { "argument", Any, {}, true, true } });
+	add_function<ValueType::Array>(dialect, "geometry.tags", { { "query", Text, {}, true }, parts });
+	add_function<ValueType::Bool>(dialect, "geometry.hasTags", { { "query", Text, {}, true }, parts });
 }
 
 } // namespace
@@ -69,7 +72,7 @@ void add_unbuilt(Dialect &dialect) {
 		operations.push_back({ name, { { "swapMode", Word, "noSwap swap", true } }, BlockKind::Bodies, boolean_operation, help });
 	}
 	operations.push_back({ "tag", { { "name", Text }, components }, BlockKind::None, tag, help });
-	operations.push_back({ "deleteTags", { { "query", Text, {}, true } }, BlockKind::None, tag, help });
+	operations.push_back({ "deleteTags", { { "query", Text, {}, true }, parts }, BlockKind::None, tag, help });
 	operations.push_back({ "setTagsFromEdgeAttrs", {}, BlockKind::None, tag, help });
 	operations.push_back({ "modify", { { "kind", Word, "f e v fe fv g m h" }, { "axes", Word, "zUp noAlign", true } }, BlockKind::Selectors, modify, help });
 	add_unbuilt_functions(dialect);
