@@ -24,6 +24,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr size_t households_at_a_time = 100'000; // some 40 MB of agendas
+
 struct Request : PeopleRequest {
 	std::string rules, people_out, out;
 	uint32_t threads = 0;
@@ -71,6 +73,36 @@ int write_people(const Request &request, const CityFile &city, const PopulationF
 	return finish(diagnostics);
 }
 
+// Part by part, so that memory holds everybody, but not everybody's agenda. False: nothing was written.
+bool write_agendas(const Request &request, const Program &program, const CityFile &city, const PopulationFile &people, Diagnostics &diagnostics) {
+	const StraightLinePaths paths(city.city);
+	AgendaOptions options;
+	options.seed = request.seed;
+	options.work = long_work("agendas", request.threads);
+	const bool has_numbers = request.has_file_numbers();
+	const AgendaCsvIds ids{ has_numbers ? &people.household_ids : nullptr, has_numbers ? &people.person_ids : nullptr, &city.building_ids };
+	const std::unique_ptr<AtomicFile> file = request.out.empty() ? nullptr : std::make_unique<AtomicFile>(request.out);
+	AgendaCsvWriter writer(people.population, program, ids, request.weekday,
+			[&file](std::string_view bytes) { file ? file->write(bytes) : void(std::fwrite(bytes.data(), 1, bytes.size(), stdout)); });
+	size_t entries = 0;
+	const auto take = [&](const AgendaSet &agendas, PersonId first) {
+		entries += agendas.tasks.size();
+		writer.write(agendas, first);
+	};
+	const Clock::time_point start = Clock::now();
+	const bool is_complete = generate_agendas_in_parts(program, city.city, paths, people.population, options, households_at_a_time, take, diagnostics);
+	const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+	end_progress();
+	if (!is_complete || (entries == 0 && diagnostics.has_errors()) || (file && !file->commit(diagnostics))) {
+		return false;
+	}
+	if (file) {
+		std::fprintf(stderr, "%zu persons in %zu households, %zu entries in %.2f s: %s\n", people.population.persons.size(),
+				people.population.households.size(), entries, seconds, request.out.c_str());
+	}
+	return true;
+}
+
 int generate(const Request &request) {
 	Diagnostics diagnostics;
 	const std::shared_ptr<const Program> program = load_program(request.rules, pcg_dialect(), diagnostics);
@@ -79,24 +111,8 @@ int generate(const Request &request) {
 	if (!program || !city || diagnostics.has_errors() || !make_people(request, *city, people, diagnostics)) {
 		return finish(diagnostics);
 	}
-	const StraightLinePaths paths(city->city);
-	AgendaOptions options;
-	options.seed = request.seed;
-	options.work = long_work("agendas", request.threads);
-	const Clock::time_point start = Clock::now();
-	const AgendaSet agendas = generate_agendas(*program, city->city, paths, people.population, options, diagnostics);
-	const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-	end_progress();
-	if (was_cancelled() || (agendas.tasks.empty() && diagnostics.has_errors())) {
+	if (!write_agendas(request, *program, *city, people, diagnostics)) {
 		return finish(diagnostics);
-	}
-	const bool has_numbers = request.has_file_numbers();
-	const AgendaCsvIds ids{ has_numbers ? &people.household_ids : nullptr, has_numbers ? &people.person_ids : nullptr, &city->building_ids };
-	if (request.out.empty()) {
-		std::fputs(agendas_to_csv(agendas, people.population, *program, ids, request.weekday).c_str(), stdout);
-	} else if (write_agendas(request.out, agendas, people.population, *program, ids, request.weekday, diagnostics)) {
-		std::fprintf(stderr, "%zu persons in %zu households, %zu entries in %.2f s: %s\n",
-				people.population.persons.size(), people.population.households.size(), agendas.tasks.size(), seconds, request.out.c_str());
 	}
 	return write_people(request, *city, people, diagnostics);
 }

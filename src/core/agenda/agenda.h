@@ -8,6 +8,7 @@
 
 #include "core/agenda/task.h"
 #include "core/base/ids.h"
+#include "core/base/untouched_allocator.h"
 
 // A person's tasks, in order and without overlap on every day of the week; the newest wins (paper, "Generation of the agendas").
 namespace pcg {
@@ -102,7 +103,7 @@ struct AgendaView {
 
 // Agendas of a whole population, one behind the other.
 struct AgendaSet {
-	std::vector<Task> tasks; // as generated
+	std::vector<Task, UntouchedAllocator<Task>> tasks; // as generated
 	std::vector<uint32_t> first_task; // person_count + 1 offsets
 	std::vector<FloatingTask> floating_tasks;
 	std::vector<uint32_t> first_floating_task; // person_count + 1 offsets

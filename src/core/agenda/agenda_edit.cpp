@@ -267,6 +267,36 @@ AgendaChange insert_task(AgendaSet &agendas, const Population &population, Perso
 	return day ? insertion.on(task, *day) : insertion.every_week(task);
 }
 
+void append_agendas(AgendaSet &agendas, const AgendaSet &more) {
+	const auto first_task = uint32_t(agendas.tasks.size()), first_floating = uint32_t(agendas.floating_tasks.size());
+	const auto first_group = uint32_t(agendas.groups.size()), first_origin = uint32_t(agendas.origins.size());
+	std::vector<uint16_t> names{ 0 };
+	for (size_t i = 1; i < more.names.size(); ++i) {
+		names.push_back(task_name(agendas, more.names[i]));
+	}
+	std::vector<uint8_t> requirements{ 0 };
+	for (size_t i = 1; i < more.requirements.size(); ++i) {
+		Requirement requirement = more.requirements[i];
+		requirement.name = names[requirement.name];
+		requirement.outer = requirements[requirement.outer];
+		requirements.push_back(task_requirement(agendas, requirement));
+	}
+	for (Task task : more.tasks) {
+		task.target += task.kind == TaskKind::Accompany ? first_group : 0;
+		task.origin += first_origin;
+		task.name = names[task.name];
+		task.requirement = requirements[task.requirement];
+		agendas.tasks.push_back(task);
+	}
+	agendas.floating_tasks.insert(agendas.floating_tasks.end(), more.floating_tasks.begin(), more.floating_tasks.end());
+	agendas.groups.insert(agendas.groups.end(), more.groups.begin(), more.groups.end());
+	agendas.origins.insert(agendas.origins.end(), more.origins.begin(), more.origins.end());
+	for (size_t i = 1; i < more.first_task.size(); ++i) {
+		agendas.first_task.push_back(first_task + more.first_task[i]);
+		agendas.first_floating_task.push_back(first_floating + more.first_floating_task[i]);
+	}
+}
+
 void forget_days_before(AgendaSet &agendas, int64_t day) {
 	for (auto &[person, changed] : agendas.changed) {
 		std::erase_if(changed.single_days, [day](const SingleDay &single) { return single.day < day; });

@@ -25,6 +25,8 @@ struct AgendaChange {
 AgendaChange insert_task(AgendaSet &agendas, const Population &population, PersonId person, Task task, std::optional<int64_t> day = std::nullopt);
 // Changes for single days before that one are forgotten: then the week holds there, should anybody jump back.
 void forget_days_before(AgendaSet &agendas, int64_t day);
+// Those of persons who come behind the others: groups, names and the like are numbered anew. Views of generated tasks are void.
+void append_agendas(AgendaSet &agendas, const AgendaSet &more);
 // The number of a name for Task::name, added to the set if it is new; 0 if the set is full.
 uint16_t task_name(AgendaSet &agendas, std::string_view name);
 // The same of Task::requirement.

@@ -1,11 +1,10 @@
 #include "core/agenda/agenda_generator.h"
 
 #include <algorithm>
-#include <iterator>
-#include <tuple>
 
-#include "core/agenda/agenda_edit.h"
+#include "core/agenda/agenda_batches.h"
 #include "core/agenda/generation_context.h"
+#include "core/agenda/repeated_diagnostics.h"
 
 namespace pcg {
 
@@ -16,71 +15,57 @@ constexpr size_t households_per_batch = 256;
 
 constexpr uint64_t agenda_stream = hash_text("agenda"); // keeps the rules' draws apart from those of the population
 
-// What one piece of work wrote; group numbers count from 0 in each batch.
-struct Batch {
-	std::vector<Task> tasks;
-	std::vector<uint32_t> task_counts; // by person
-	std::vector<FloatingTask> floating_tasks;
-	std::vector<uint32_t> floating_counts;
-	std::vector<Group> groups;
-	std::vector<std::string> names;
-	std::vector<Requirement> requirements;
-	std::vector<Diagnostic> diagnostics;
+// Households that follow each other.
+struct HouseholdRange {
+	size_t first = 0;
+	size_t end = 0;
 };
+
+HouseholdRange households_of(const Population &population, const AgendaOptions &options) {
+	const size_t count = population.households.size();
+	return { std::min<size_t>(index_of(options.first_household), count), count };
+}
+
+size_t first_person(const Population &population, size_t household) {
+	return household < population.households.size() ? index_of(population.households[household].first_member) : population.persons.size();
+}
+
+size_t count_persons(const Population &population, HouseholdRange range) {
+	return first_person(population, range.end) - first_person(population, range.first);
+}
 
 class Generation {
 public:
-	Generation(const Program &program, const agenda::World &world, const Population &population, const AgendaOptions &options, RuleId start) :
-			_program(program), _world(world), _population(population), _options(options), _start(start) {
-		_batches.resize((population.households.size() + households_per_batch - 1) / households_per_batch);
+	Generation(const Program &program, const agenda::World &world, const Population &population, const AgendaOptions &options, RuleId start,
+			HouseholdRange range) :
+			_program(program), _world(world), _population(population), _options(options), _start(start), _range(range) {
+		_batches.resize((range.end - range.first + households_per_batch - 1) / households_per_batch);
 	}
 
-	bool run() {
-		return parallel_for(_batches.size(), _options.work, [this](size_t i) { fill(i); });
+	bool run(const WorkOptions &work) {
+		return parallel_for(_batches.size(), work, [this](size_t i) { fill(i); });
 	}
 
-	AgendaSet collect(Diagnostics &diagnostics) {
-		AgendaSet set;
-		set.first_task.reserve(_population.persons.size() + 1);
-		set.first_floating_task.reserve(_population.persons.size() + 1);
-		set.first_task.push_back(0);
-		set.first_floating_task.push_back(0);
-		size_t task_count = 0;
-		for (const Batch &batch : _batches) {
-			task_count += batch.tasks.size();
+	AgendaSet collect(RepeatedDiagnostics &messages) {
+		AgendaSet set = join_batches(_batches, _program, count_persons(_population, _range), _options.work.threads);
+		for (AgendaBatch &batch : _batches) { // in order, so what is kept is what the first household said
+			for (Diagnostic &diagnostic : batch.diagnostics) {
+				messages.add(std::move(diagnostic));
+			}
 		}
-		set.tasks.reserve(task_count);
-		std::vector<Told> told;
-		for (Batch &batch : _batches) {
-			number_names(set, batch);
-			append(set, batch);
-			add_diagnostics(batch, told);
-			batch = {};
-		}
-		tell(told, diagnostics);
-		// A cancelled generation leaves the rest without entries.
-		set.first_task.resize(_population.persons.size() + 1, uint32_t(set.tasks.size()));
-		set.first_floating_task.resize(_population.persons.size() + 1, uint32_t(set.floating_tasks.size()));
-		number_origins(set);
 		return set;
 	}
 
 private:
-	// A message, and how often it came again from the same place in the rules.
-	struct Told {
-		Diagnostic first;
-		uint64_t repeats = 0;
-	};
-
 	void fill(size_t index) {
-		Batch &batch = _batches[index];
+		AgendaBatch &batch = _batches[index];
 		agenda::GenerationContext context(_world);
 		Vm vm(_program, context, _options.limits);
 		for (const AttributeOverride &override_value : _options.overrides) {
 			vm.override_attribute(override_value.name, override_value.value);
 		}
-		const size_t first = index * households_per_batch;
-		const size_t end = std::min(first + households_per_batch, _population.households.size());
+		const size_t first = _range.first + index * households_per_batch;
+		const size_t end = std::min(first + households_per_batch, _range.end);
 		for (size_t i = first; i < end; ++i) {
 			run_household(vm, context, HouseholdId(uint32_t(i)));
 			context.drop_unmet_tasks();
@@ -117,7 +102,7 @@ private:
 		}
 	}
 
-	static void keep(Batch &batch, agenda::GenerationContext &context) {
+	static void keep(AgendaBatch &batch, agenda::GenerationContext &context) {
 		const uint32_t first_group = uint32_t(batch.groups.size());
 		for (size_t i = 0; i < context.member_count(); ++i) {
 			const PersonId member = context.member(i);
@@ -130,105 +115,19 @@ private:
 		batch.groups.insert(batch.groups.end(), context.groups().begin(), context.groups().end());
 	}
 
-	// Batches count names and requirements by themselves.
-	static void number_names(AgendaSet &set, Batch &batch) {
-		if (batch.names.size() == 1 && batch.requirements.size() == 1) {
-			return;
-		}
-		std::vector<uint16_t> name_of;
-		std::vector<uint8_t> requirement_of;
-		for (const std::string &name : batch.names) {
-			name_of.push_back(task_name(set, name));
-		}
-		for (Requirement requirement : batch.requirements) {
-			requirement.name = name_of[requirement.name];
-			requirement.outer = requirement.outer != 0 ? requirement_of[requirement.outer] : uint8_t(0);
-			requirement_of.push_back(task_requirement(set, requirement));
-		}
-		for (Task &task : batch.tasks) {
-			task.name = name_of[task.name];
-			task.requirement = requirement_of[task.requirement];
-		}
-	}
-
-	static void append(AgendaSet &set, Batch &batch) {
-		add_tasks(set.tasks, batch.tasks, uint32_t(set.groups.size()));
-		set.floating_tasks.insert(set.floating_tasks.end(), batch.floating_tasks.begin(), batch.floating_tasks.end());
-		for (size_t i = 0; i < batch.task_counts.size(); ++i) {
-			set.first_task.push_back(set.first_task.back() + batch.task_counts[i]);
-			set.first_floating_task.push_back(set.first_floating_task.back() + batch.floating_counts[i]);
-		}
-		std::move(batch.groups.begin(), batch.groups.end(), std::back_inserter(set.groups));
-	}
-
-	// Batches come in order, so what is kept is what the first household said.
-	static void add_diagnostics(Batch &batch, std::vector<Told> &told) {
-		for (Diagnostic &diagnostic : batch.diagnostics) {
-			const auto found =
-					std::find_if(told.begin(), told.end(), [&](const Told &other) { return agenda::is_repeat(other.first, diagnostic); });
-			if (found != told.end()) {
-				++found->repeats;
-			} else {
-				told.push_back({ std::move(diagnostic), 0 });
-			}
-		}
-	}
-
-	static void tell(std::vector<Told> &told, Diagnostics &diagnostics) {
-		for (Told &one : told) {
-			// Of a warning an interpreter tells only the first; these two are all told.
-			const bool is_counted = one.first.severity == Severity::Error || one.first.id == "requirement-unmet";
-			if (one.repeats > 0 && is_counted) {
-				one.first.message += ", and the same " + std::to_string(one.repeats) + (one.repeats == 1 ? " time more" : " times more");
-			}
-			diagnostics.add(std::move(one.first));
-		}
-	}
-
-	// Addresses in the program become dense numbers in the order of the program.
-	void number_origins(AgendaSet &set) const {
-		std::vector<uint32_t> number_of(_program.code.size() + 1, 0);
-		for (const Task &task : set.tasks) {
-			number_of[task.origin] = 1;
-		}
-		for (uint32_t address = 0; address < number_of.size(); ++address) {
-			if (number_of[address] != 0) {
-				number_of[address] = uint32_t(set.origins.size());
-				set.origins.push_back(origin_at(address));
-			}
-		}
-		for (Task &task : set.tasks) {
-			task.origin = number_of[task.origin];
-		}
-	}
-
-	// The rule around a call is the last one that begins before it in the same file.
-	TaskOrigin origin_at(uint32_t address) const {
-		const SourcePlace place = _program.places[address > 0 ? address - 1 : 0];
-		const auto position = [](const SourcePlace &at) { return std::tie(at.line, at.column); };
-		const RuleInfo *rule = nullptr;
-		for (const RuleInfo &candidate : _program.rules) {
-			if (candidate.place.file == place.file && !(position(place) < position(candidate.place)) &&
-					(rule == nullptr || position(rule->place) < position(candidate.place))) {
-				rule = &candidate;
-			}
-		}
-		return { rule != nullptr ? rule->name : std::string(), place.file < _program.files.size() ? _program.files[place.file] : std::string(),
-			place.line };
-	}
-
 	const Program &_program;
 	const agenda::World &_world;
 	const Population &_population;
 	const AgendaOptions &_options;
 	RuleId _start;
-	std::vector<Batch> _batches;
+	HouseholdRange _range;
+	std::vector<AgendaBatch> _batches;
 };
 
-AgendaSet empty_agendas(const Population &population) {
+AgendaSet empty_agendas(size_t persons) {
 	AgendaSet set;
-	set.first_task.assign(population.persons.size() + 1, 0);
-	set.first_floating_task.assign(population.persons.size() + 1, 0);
+	set.first_task.assign(persons + 1, 0);
+	set.first_floating_task.assign(persons + 1, 0);
 	return set;
 }
 
@@ -284,17 +183,43 @@ uint64_t household_seed(uint64_t seed, HouseholdId id) { return derive_seed(seed
 
 AgendaSet generate_agendas(const Program &program, const CityModel &city, const PathProvider &paths, const Population &population,
 		const AgendaOptions &options, Diagnostics &diagnostics) {
+	const HouseholdRange all = households_of(population, options);
+	AgendaSet result = empty_agendas(count_persons(population, all));
+	generate_agendas_in_parts(program, city, paths, population, options, std::max<size_t>(1, all.end - all.first),
+			[&result](AgendaSet part, PersonId) { result = std::move(part); }, diagnostics);
+	return result;
+}
+
+bool generate_agendas_in_parts(const Program &program, const CityModel &city, const PathProvider &paths, const Population &population,
+		const AgendaOptions &options, size_t households, const std::function<void(AgendaSet part, PersonId first)> &take, Diagnostics &diagnostics) {
 	const RuleId start = find_start(program, options, diagnostics);
 	if (!is_valid(start) || !check_overrides(program, options, diagnostics)) {
-		return empty_agendas(population);
+		return false;
 	}
 	const agenda::World world = agenda::make_world(program, city, paths, population);
-	Generation generation(program, world, population, options, start);
-	if (!generation.run()) {
-		diagnostics.warning("cancelled", "the generation of agendas was cancelled; some households have none");
-		return empty_agendas(population);
+	const HouseholdRange all = households_of(population, options);
+	RepeatedDiagnostics messages;
+	bool is_complete = true;
+	for (HouseholdRange part{ all.first, all.first }; part.end < all.end && is_complete;) {
+		part = { part.end, std::min(part.end + households, all.end) };
+		Generation generation(program, world, population, options, start, part);
+		WorkOptions work = options.work;
+		if (work.progress) {
+			work.progress = [&, part](size_t done, size_t total) {
+				options.work.progress(part.first - all.first + done * (part.end - part.first) / total, all.end - all.first);
+			};
+		}
+		is_complete = generation.run(work);
+		if (is_complete) {
+			take(generation.collect(messages), PersonId(uint32_t(first_person(population, part.first))));
+		}
 	}
-	return generation.collect(diagnostics);
+	if (!is_complete) {
+		diagnostics.warning("cancelled", "the generation of agendas was cancelled; some households have none");
+		return false;
+	}
+	messages.tell(diagnostics);
+	return true;
 }
 
 } // namespace pcg

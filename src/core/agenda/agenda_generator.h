@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,8 @@ struct AgendaOptions {
 	uint64_t seed = 1;
 	std::string start_rule; // empty: the one marked @StartRule
 	std::vector<AttributeOverride> overrides;
+	// Only this household and those behind it get agendas, and the set counts persons from its first member on: for who comes later.
+	HouseholdId first_household{ 0 };
 	VmLimits limits{ .max_steps = 2'000'000 }; // per household
 	WorkOptions work;
 };
@@ -39,5 +42,10 @@ uint64_t household_seed(uint64_t seed, HouseholdId id);
 // `paths` has to answer from several threads at once.
 AgendaSet generate_agendas(const Program &program, const CityModel &city, const PathProvider &paths, const Population &population,
 		const AgendaOptions &options, Diagnostics &diagnostics);
+
+// The same, so many households at a time (1 or more): `take` gets the agendas of each part, which count persons from `first` on, and they need not
+// all be in memory at once. False if the rules cannot start or the work was cancelled; what was taken by then is only a part.
+bool generate_agendas_in_parts(const Program &program, const CityModel &city, const PathProvider &paths, const Population &population,
+		const AgendaOptions &options, size_t households, const std::function<void(AgendaSet part, PersonId first)> &take, Diagnostics &diagnostics);
 
 } // namespace pcg

@@ -37,9 +37,9 @@ public:
 		values(uint64_t(value.size()));
 		_bytes += value;
 	}
-	template <typename T, typename Visit> void list(const std::vector<T> &items, Visit &&visit) {
+	template <typename List, typename Visit> void list(const List &items, Visit &&visit) {
 		values(uint64_t(items.size()));
-		for (const T &item : items) {
+		for (const auto &item : items) {
 			visit(*this, item);
 		}
 	}
@@ -89,7 +89,7 @@ public:
 		value.assign(_bytes.substr(_position, size));
 		_position += size;
 	}
-	template <typename T, typename Visit> void list(std::vector<T> &items, Visit &&visit) {
+	template <typename List, typename Visit> void list(List &items, Visit &&visit) {
 		items.clear();
 		const uint64_t size = count(1); // every item takes a byte at least: no list is larger than what is left
 		for (uint64_t i = 0; i < size && _is_good; ++i) {

@@ -2,9 +2,8 @@
 
 #include <array>
 #include <cstdio>
-#include <functional>
+#include <utility>
 
-#include "core/io/atomic_file.h"
 #include "core/io/csv.h"
 
 namespace pcg {
@@ -35,18 +34,18 @@ template <typename Id> std::string id_text(Id id, const FileIds *ids) {
 	return std::to_string(ids != nullptr ? ids->number_of(index_of(id)) : int64_t(index_of(id)));
 }
 
-class Writer {
+// One part.
+class Rows {
 public:
-	Writer(const AgendaSet &agendas, const Population &population, const Program &program, const AgendaCsvIds &ids,
-			std::function<void(std::string_view)> sink) :
-			_agendas(agendas), _population(population), _program(program), _ids(ids), _sink(std::move(sink)) {}
+	Rows(const AgendaSet &agendas, PersonId first, const Population &population, const Program &program, const AgendaCsvIds &ids,
+			const std::function<void(std::string_view)> &sink) :
+			_agendas(agendas), _first(index_of(first)), _population(population), _program(program), _ids(ids), _sink(sink) {}
 
 	void write(std::optional<int> weekday) {
-		_text = "household,person,age,gender,day,start,end,kind,target,detail\n";
-		for (uint32_t i = 0; i < _population.persons.size() && i < _agendas.person_count(); ++i) {
+		for (size_t i = 0; i < _agendas.person_count() && _first + i < _population.persons.size(); ++i) {
 			for (int day = 0; day < 7; ++day) {
 				if (!weekday || *weekday == day) {
-					write_day(PersonId(i), day);
+					write_day(PersonId(uint32_t(i)), day);
 				}
 			}
 			if (_text.size() > buffer_size) {
@@ -62,15 +61,17 @@ private:
 		_text.clear();
 	}
 
-	void write_day(PersonId id, int day) {
-		for (const Task &task : _agendas.tasks_of(id)) {
+	// `place` among those of the part.
+	void write_day(PersonId place, int day) {
+		const PersonId id = PersonId(index_of(place) + _first);
+		for (const Task &task : _agendas.tasks_of(place)) {
 			if ((task.days >> day) & 1) {
 				begin_row(id, day);
 				_text += seconds_text(task.start_ms) + "," + seconds_text(task.end_ms) + ",";
 				_text += std::string(task_kind_name(task.kind)) + "," + target_text(task) + "," + csv_quoted(detail_text(task)) + "\n";
 			}
 		}
-		for (const FloatingTask &task : _agendas.floating_tasks_of(id)) {
+		for (const FloatingTask &task : _agendas.floating_tasks_of(place)) {
 			if ((task.days >> day) & 1) {
 				begin_row(id, day);
 				char priority[32];
@@ -122,26 +123,32 @@ private:
 	std::string rule_name(uint32_t rule) const { return rule < _program.rules.size() ? _program.rules[rule].name : std::string(); }
 
 	const AgendaSet &_agendas;
+	uint32_t _first;
 	const Population &_population;
 	const Program &_program;
 	const AgendaCsvIds &_ids;
-	std::function<void(std::string_view)> _sink;
+	const std::function<void(std::string_view)> &_sink;
 	std::string _text;
 };
 
 } // namespace
 
-bool write_agendas(const std::string &path, const AgendaSet &agendas, const Population &population, const Program &program,
-		const AgendaCsvIds &ids, std::optional<int> weekday, Diagnostics &diagnostics) {
-	AtomicFile file(path);
-	Writer(agendas, population, program, ids, [&](std::string_view bytes) { file.write(bytes); }).write(weekday);
-	return file.commit(diagnostics);
+AgendaCsvWriter::AgendaCsvWriter(const Population &population, const Program &program, const AgendaCsvIds &ids, std::optional<int> weekday,
+		std::function<void(std::string_view)> sink) :
+		_population(population), _program(program), _ids(ids), _weekday(weekday), _sink(std::move(sink)) {}
+
+void AgendaCsvWriter::write(const AgendaSet &agendas, PersonId first) {
+	if (!_has_begun) {
+		_has_begun = true;
+		_sink("household,person,age,gender,day,start,end,kind,target,detail\n");
+	}
+	Rows(agendas, first, _population, _program, _ids, _sink).write(_weekday);
 }
 
 std::string agendas_to_csv(const AgendaSet &agendas, const Population &population, const Program &program, const AgendaCsvIds &ids,
 		std::optional<int> weekday) {
 	std::string text;
-	Writer(agendas, population, program, ids, [&](std::string_view bytes) { text += bytes; }).write(weekday);
+	AgendaCsvWriter(population, program, ids, weekday, [&](std::string_view bytes) { text += bytes; }).write(agendas);
 	return text;
 }
 

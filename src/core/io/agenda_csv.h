@@ -1,10 +1,11 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/agenda/agenda.h"
-#include "core/base/diagnostic.h"
 #include "core/io/city_json.h"
 #include "core/lang/program.h"
 #include "core/population/population.h"
@@ -22,10 +23,24 @@ struct AgendaCsvIds {
 	const FileIds *buildings = nullptr;
 };
 
-// Writes the file whole or not at all; `weekday` (0 Monday) for one day only. False after an error.
-bool write_agendas(const std::string &path, const AgendaSet &agendas, const Population &population, const Program &program,
-		const AgendaCsvIds &ids, std::optional<int> weekday, Diagnostics &diagnostics);
-// The same rows as text.
+// Takes the agendas of a population part by part.
+class AgendaCsvWriter {
+public:
+	// `weekday` (0 Monday) for one day only. All that is referred to outlives the writer.
+	AgendaCsvWriter(const Population &population, const Program &program, const AgendaCsvIds &ids, std::optional<int> weekday,
+			std::function<void(std::string_view)> sink);
+	// Of the persons from `first` on; parts follow each other. The first begins with the line of names.
+	void write(const AgendaSet &agendas, PersonId first = PersonId(0));
+
+private:
+	const Population &_population;
+	const Program &_program;
+	AgendaCsvIds _ids;
+	std::optional<int> _weekday;
+	std::function<void(std::string_view)> _sink;
+	bool _has_begun = false;
+};
+
 std::string agendas_to_csv(const AgendaSet &agendas, const Population &population, const Program &program, const AgendaCsvIds &ids,
 		std::optional<int> weekday);
 

@@ -43,4 +43,17 @@ struct Population {
 	BuildingId home_of(PersonId id) const { return household(person(id).household).home; }
 };
 
+// More households behind the others, numbered on from them.
+inline void append_population(Population &population, const Population &more) {
+	const auto first_household = uint32_t(population.households.size()), first_person = uint32_t(population.persons.size());
+	for (Household household : more.households) {
+		household.first_member = PersonId(index_of(household.first_member) + first_person);
+		population.households.push_back(household);
+	}
+	for (Person person : more.persons) {
+		person.household = HouseholdId(index_of(person.household) + first_household);
+		population.persons.push_back(person);
+	}
+}
+
 } // namespace pcg

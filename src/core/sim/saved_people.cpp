@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/base/bytes.h"
 #include "core/population/names.h"
@@ -104,7 +105,7 @@ bool are_offsets_sound(const std::vector<uint32_t> &offsets, size_t persons, siz
 	return offsets.size() == persons + 1 && offsets.front() == 0 && offsets.back() == count && std::is_sorted(offsets.begin(), offsets.end());
 }
 
-bool are_tasks_sound(const std::vector<Task> &tasks, const AgendaSet &agendas) {
+bool are_tasks_sound(std::span<const Task> tasks, const AgendaSet &agendas) {
 	return std::all_of(tasks.begin(), tasks.end(), [&](const Task &task) {
 		const int64_t length = int64_t(task.end_ms) - task.start_ms;
 		return task.start_ms >= 0 && task.start_ms < one_day.ms && length > 0 && length <= one_day.ms && task.days <= all_days &&

@@ -227,6 +227,32 @@ TEST_CASE("whatever is inserted for days and weeks, every minute belongs to the 
 	}
 }
 
+TEST_CASE("households that come later get agendas of their own behind the others") {
+	Family family;
+	AgendaFixture &fixture = family.fixture;
+	const size_t groups = fixture.agendas.groups.size();
+	Population more;
+	more.households.push_back({ .home = family.home, .first_member = PersonId(0), .member_count = 2 });
+	more.persons.push_back({ .household = HouseholdId(0), .age = 41.0f });
+	more.persons.push_back({ .household = HouseholdId(0), .age = 7.0f });
+	append_population(fixture.population, more);
+	AgendaOptions options;
+	options.first_household = HouseholdId(1);
+	const StraightLinePaths paths(fixture.city);
+	const AgendaSet later = generate_agendas(*fixture.program, fixture.city, paths, fixture.population, options, fixture.diagnostics);
+	CHECK(later.person_count() == 2);
+	append_agendas(fixture.agendas, later);
+	CHECK(fixture.agendas.person_count() == 4);
+	CHECK(fixture.day_of(PersonId(2)) == fixture.day_of(family.parent));
+	CHECK(fixture.day_of(PersonId(3)) == fixture.day_of(family.child));
+	CHECK(fixture.agendas.groups.size() == 2 * groups);
+	CHECK(fixture.agendas.groups.back().leader == PersonId(2));
+	const AgendaChange change = family.insert(PersonId(3), stay(0, 24, family.home, monday));
+	REQUIRE(change.dropped.size() == 1);
+	CHECK(change.dropped[0].person == PersonId(2));
+	CHECK(fixture.agendas.names[change.dropped[0].name] == "bring");
+}
+
 TEST_CASE("what cannot be inserted changes nothing") {
 	Family family;
 	CHECK_FALSE(family.insert(PersonId(99), stay(1, 2, family.home)).is_inserted);

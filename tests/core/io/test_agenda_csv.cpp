@@ -34,3 +34,41 @@ TEST_CASE("agendas are a row for each entry and day, with the numbers of the fil
 	CHECK(agendas_to_csv(fixture.agendas, fixture.population, *fixture.program, ids, 5) ==
 			"household,person,age,gender,day,start,end,kind,target,detail\n");
 }
+
+TEST_CASE("agendas that are written part by part are the same table, with the same messages") {
+	AgendaFixture fixture;
+	const BuildingId home = fixture.add_building("house", 0);
+	fixture.add_building("school", 100);
+	for (int i = 0; i < 700; ++i) {
+		fixture.add_household(home);
+		fixture.add_person(40);
+		fixture.add_person(7, Gender::Man);
+	}
+	REQUIRE(fixture.generate(R"(
+@StartRule
+Household -->
+	members { age < 18: task("go") { goToBuilding(8h, 8h + rand(1, 60), 1) } }
+	members { age >= 18: requires("go") { accompany(8h, age < 18) } floatingTask(rand(1, 99), Rest) }
+	case household.id % 100 == 77: members { true: stayInside(0, 1 / (count() - count()), home) }
+Rest --> wait(1)
+)"));
+	const std::string whole = agendas_to_csv(fixture.agendas, fixture.population, *fixture.program, {}, std::nullopt);
+	std::string text;
+	AgendaCsvWriter writer(fixture.population, *fixture.program, {}, std::nullopt, [&text](std::string_view bytes) { text += bytes; });
+	Diagnostics diagnostics;
+	size_t last_done = 0;
+	bool is_rising = true;
+	AgendaOptions options = fixture.options;
+	options.work.progress = [&](size_t done, size_t total) {
+		is_rising = is_rising && done >= last_done && total == 700;
+		last_done = done;
+	};
+	const StraightLinePaths paths(fixture.city);
+	const auto take = [&writer](const AgendaSet &part, PersonId first) { writer.write(part, first); };
+	CHECK(generate_agendas_in_parts(*fixture.program, fixture.city, paths, fixture.population, options, 300, take, diagnostics));
+	CHECK(text == whole);
+	CHECK(is_rising);
+	CHECK(last_done == 700);
+	CHECK(to_text(diagnostics) == to_text(fixture.diagnostics));
+	CHECK(diagnostics.error_count() == 1);
+}
