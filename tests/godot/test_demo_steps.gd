@@ -78,4 +78,4 @@ func test_somebody_sits_on_a_bench() -> void:
 func test_the_added_rule_brings_people_into_the_park() -> void:
 	var citizens: CitizenManager = await _open_with_people("6_your_own_rule")
 	citizens.advance(1.3 * SECONDS_PER_HOUR)
-	check(int(citizens.get_statistics()["peak_outside"]) > 0, "after eight: %s" % [citizens.get_statistics()])
+	check(int(citizens.get_statistics()["peak_outside"]) > 0, "after six: %s" % [citizens.get_statistics()])
