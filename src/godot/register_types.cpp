@@ -20,6 +20,7 @@
 #include "godot/resources/pcg_household_table.h"
 #include "godot/resources/pcg_layout.h"
 #include "godot/resources/pcg_lot_type.h"
+#include "godot/resources/pcg_population.h"
 #include "godot/resources/pcg_rule_set.h"
 #include "godot/resources/pcg_rule_set_loader.h"
 #include "godot/resources/pcg_rule_set_saver.h"
@@ -42,6 +43,7 @@ void initialize_pcg(ModuleInitializationLevel p_level) {
 	GDREGISTER_INTERNAL_CLASS(pcg::PCGRuleSetLoader);
 	GDREGISTER_INTERNAL_CLASS(pcg::PCGRuleSetSaver);
 	GDREGISTER_CLASS(pcg::PCGHouseholdTable);
+	GDREGISTER_CLASS(pcg::PCGPopulation);
 	GDREGISTER_CLASS(pcg::PCGDistrict);
 	GDREGISTER_CLASS(pcg::PCGLayout);
 	GDREGISTER_CLASS(pcg::PCGLotType);

@@ -68,6 +68,16 @@ struct CitizenLife {
 	std::unique_ptr<InvariantChecker> checker; // only if promises are to be checked
 	std::unique_ptr<LivedLog> log; // these two only if lives are to be recorded
 	std::unique_ptr<AgeHeat> heat;
+	bool is_moving = false; // the simulation runs; rules may call scripts meanwhile
+};
+
+// What the debugger shows.
+struct CitizenLoad {
+	double frame_ms = 0.0; // of the last frame that moved
+	uint64_t frame = 0;
+	double events_per_second = 0.0; // of the game, over the last whole second
+	double second = 0.0; // since when `events` are counted
+	uint64_t events = 0;
 };
 
 } // namespace pcg

@@ -14,6 +14,7 @@
 #include "core/population/population_generator.h"
 #include "core/sim/day_plan.h"
 #include "godot/convert.h"
+#include "godot/liveness.h"
 #include "godot/nodes/pcg_agent_view.h"
 #include "godot/nodes/pcg_city.h"
 #include "godot/ports/script_builtins.h"
@@ -23,14 +24,6 @@ using namespace godot;
 
 namespace pcg {
 
-namespace {
-
-constexpr const char *signal_of_notice[Notice::kind_count] = { "person_left_building", "person_entered_building", "task_started",
-	"agent_spawned", "agent_freed" };
-constexpr double longest_advance = 366.0 * 86400.0; // seconds
-
-} // namespace
-
 CitizenManager::CitizenManager() = default;
 
 CitizenManager::~CitizenManager() = default;
@@ -38,6 +31,10 @@ CitizenManager::~CitizenManager() = default;
 void CitizenManager::_notification(int p_what) {
 	if (p_what == NOTIFICATION_PREDELETE) {
 		close_view(); // it refers to the population, which goes with this object
+	} else if (p_what == NOTIFICATION_ENTER_TREE && !Engine::get_singleton()->is_editor_hint()) {
+		add_monitors();
+	} else if (p_what == NOTIFICATION_EXIT_TREE) {
+		remove_monitors();
 	}
 }
 
@@ -57,7 +54,8 @@ void CitizenManager::_ready() {
 // A city with an error in some lots can be lived in. After cancel() the one before may still be there, and life in it goes on.
 void CitizenManager::on_city_generated(bool) {
 	const PCGCity *city = get_city();
-	if (_auto_start && !is_running() && city && city->is_generated() && generate_population()) {
+	const uint64_t self = get_instance_id();
+	if (_auto_start && !is_running() && city && city->is_generated() && generate_population() && is_there(self)) {
 		start();
 	}
 }
@@ -65,26 +63,34 @@ void CitizenManager::on_city_generated(bool) {
 // So that life ends with the ground under it.
 void CitizenManager::follow_city() {
 	PCGCity *city = get_city();
-	const godot::Callable leave = callable_mp(this, &CitizenManager::leave_lost_city);
+	const godot::Callable leave = callable_mp(this, &CitizenManager::on_city_cleared);
 	_life->city_id = city->get_instance_id();
 	if (!city->is_connected("city_cleared", leave)) {
 		city->connect("city_cleared", leave);
 	}
 }
 
-// Another city than the one that is lived in may have been cleared; then nothing happens.
-void CitizenManager::leave_lost_city() {
+void CitizenManager::on_city_cleared() { leave_lost_city(); }
+
+// Another city than the one that is lived in may have been cleared; then nothing happens. In the middle of a step it waits for the next frame. False
+// if a listener has freed this node.
+bool CitizenManager::leave_lost_city() {
 	const PCGCity *city = _life ? Object::cast_to<PCGCity>(ObjectDB::get_instance(_life->city_id)) : nullptr;
-	if (!_life || (city && city->state() == _life->city)) {
-		return;
+	if (!_life || _life->is_moving || _is_generating || (city && city->state() == _life->city)) {
+		return true;
 	}
 	const bool ends_unasked = is_running() && !(_auto_start && city && city->is_generating());
+	const uint64_t self = get_instance_id();
 	stop();
+	if (!is_there(self)) {
+		return false;
+	}
 	_life.reset();
 	if (ends_unasked) {
 		WARN_PRINT("CitizenManager: its city was cleared, freed or generated anew, so the simulation has stopped. Call generate_population() and "
 				   "start() when the new city is there, or stop() before the old one goes.");
 	}
+	return true;
 }
 
 void CitizenManager::set_city(PCGCity *p_city) {
@@ -104,9 +110,15 @@ void CitizenManager::set_household_table(const Ref<PCGHouseholdTable> &p_table) 
 	update_configuration_warnings();
 }
 
+void CitizenManager::set_population(const Ref<PCGPopulation> &p_population) {
+	_people = p_population;
+	update_configuration_warnings();
+}
+
 void CitizenManager::set_person_count(int p_count) {
 	ERR_FAIL_COND_MSG(p_count < 0, "CitizenManager: person_count is 0 or more.");
 	_person_count = p_count;
+	update_configuration_warnings();
 }
 
 PackedStringArray CitizenManager::_get_configuration_warnings() const {
@@ -121,13 +133,18 @@ PackedStringArray CitizenManager::_get_configuration_warnings() const {
 	} else if (_rules->get_dialect() != PCGRuleSet::DIALECT_AGENDA) {
 		warnings.push_back("These rules build lots. Agendas come from a .pcg file.");
 	}
-	if (_table.is_null()) {
-		warnings.push_back("There are no households: set `household_table`.");
+	if (_table.is_null() && _people.is_null()) {
+		warnings.push_back("There are no households: set `household_table`, or a `population`.");
+	} else if (_people.is_null() && _table->has_errors()) {
+		warnings.push_back("The household table has errors; see its list of diagnostics.");
+	}
+	if (_people.is_null() && _person_count == 0) {
+		warnings.push_back("Nobody is to be drawn: `person_count` is 0.");
 	}
 	return warnings;
 }
 
-bool CitizenManager::check_inputs(Diagnostics &diagnostics) const {
+bool CitizenManager::check_place(Diagnostics &diagnostics) const {
 	const PCGCity *city = get_city();
 	if (!city) {
 		diagnostics.error("missing-city", "CitizenManager has no city", "set its `city` to a PCGCity");
@@ -142,44 +159,78 @@ bool CitizenManager::check_inputs(Diagnostics &diagnostics) const {
 	} else {
 		diagnostics.append(_rules->diagnostics());
 	}
+	return !diagnostics.has_errors();
+}
+
+bool CitizenManager::check_inputs(Diagnostics &diagnostics) const {
+	check_place(diagnostics);
+	if (_people.is_valid()) {
+		return !diagnostics.has_errors();
+	}
 	if (_table.is_null()) {
-		diagnostics.error("missing-households", "CitizenManager has no household table", "set its `household_table`");
+		diagnostics.error("missing-households", "CitizenManager has no household table", "set its `household_table`, or a `population`");
 	} else {
 		diagnostics.append(_table->diagnostics());
 	}
 	return !diagnostics.has_errors();
 }
 
+std::shared_ptr<CitizenLife> CitizenManager::new_life() const {
+	std::shared_ptr<CitizenLife> life = std::make_shared<CitizenLife>();
+	life->city = get_city()->state();
+	life->program = _rules->program();
+	return life;
+}
+
+AgendaOptions CitizenManager::agenda_options() const {
+	AgendaOptions options;
+	options.seed = uint64_t(_seed);
+	options.start_rule = from_godot(_start_rule);
+	options.work.threads = has_script_builtins() ? 1 : 0;
+	return options;
+}
+
+void CitizenManager::draw_people(CitizenLife &life, Diagnostics &diagnostics) const {
+	PopulationOptions options;
+	options.seed = uint64_t(_seed);
+	options.persons = uint32_t(_person_count);
+	options.home_type = from_godot(_home_type);
+	const CityModel &model = life.city->city.model;
+	life.population = _people.is_valid() ? _people->read(model, diagnostics) : pcg::generate_population(_table->table(), model, options, diagnostics);
+	life.population.home_type = options.home_type;
+	const AgendaOptions days = agenda_options();
+	if (!diagnostics.has_errors()) { // from here on scripts may free this node
+		life.agendas = generate_agendas(*life.program, model, *life.city->paths, life.population, days, diagnostics);
+	}
+}
+
 bool CitizenManager::generate_population() {
+	const uint64_t self = get_instance_id();
 	stop();
+	if (!is_there(self) || !is_alone("generate_population")) {
+		return false;
+	}
 	_life.reset();
 	_diagnostics = Diagnostics();
 	if (!check_inputs(_diagnostics)) {
 		report(_diagnostics);
 		return false;
 	}
-	std::unique_ptr<CitizenLife> life = std::make_unique<CitizenLife>();
-	life->city = get_city()->state();
-	life->program = _rules->program();
-	PopulationOptions people;
-	people.seed = uint64_t(_seed);
-	people.persons = uint32_t(_person_count);
-	people.home_type = from_godot(_home_type);
-	const CityModel &model = life->city->city.model;
-	life->population = pcg::generate_population(_table->table(), model, people, _diagnostics);
-	AgendaOptions days;
-	days.seed = uint64_t(_seed);
-	days.start_rule = from_godot(_start_rule);
-	days.work.threads = has_script_builtins() ? 1 : 0;
-	if (!_diagnostics.has_errors()) {
-		life->agendas = generate_agendas(*life->program, model, *life->city->paths, life->population, days, _diagnostics);
-	}
-	report(_diagnostics);
-	// Households whose rules failed have what was written until then; where nobody has anything there is no day to live.
-	if (life->population.persons.empty() || (life->agendas.tasks.empty() && _diagnostics.has_errors())) {
+	const std::shared_ptr<CitizenLife> life = new_life();
+	Diagnostics diagnostics = _diagnostics;
+	_is_generating = true;
+	draw_people(*life, diagnostics);
+	if (!is_there(self)) {
 		return false;
 	}
-	_life = std::move(life);
+	_is_generating = false;
+	_diagnostics = diagnostics;
+	report(diagnostics);
+	// Households whose rules failed have what was written until then; where nobody has anything there is no day to live.
+	if (life->population.persons.empty() || (life->agendas.tasks.empty() && diagnostics.has_errors())) {
+		return false;
+	}
+	_life = life;
 	follow_city();
 	emit_signal("population_generated");
 	return true;
@@ -187,7 +238,13 @@ bool CitizenManager::generate_population() {
 
 bool CitizenManager::start() {
 	ERR_FAIL_COND_V_MSG(!_life, false, "CitizenManager: there is nobody in this city yet. Call generate_population() before start().");
+	const uint64_t self = get_instance_id();
 	stop();
+	return is_there(self) && is_alone("start") && _life && live([begin = _begin](Simulation &simulation) { simulation.start(begin); });
+}
+
+// `begin` puts people in place. False if nothing runs in the end: whoever listens may have ended it.
+bool CitizenManager::live(const std::function<void(Simulation &)> &begin) {
 	SimulationSettings settings;
 	settings.seed = uint64_t(_seed);
 	CitizenLife &life = *_life;
@@ -207,16 +264,15 @@ bool CitizenManager::start() {
 		}
 	}
 	open_view();
-	listen();
 	_owed_seconds = 0.0;
 	_told_breaks = 0;
 	_told_messages = 0;
-	life.simulation->start(_begin);
-	show_bodies();
-	tell_rule_messages();
+	const uint64_t self = get_instance_id();
+	if (!move(begin)) {
+		return false;
+	}
 	emit_signal("simulation_started");
-	tell_notices();
-	return is_running(); // whoever listened may have ended it
+	return is_there(self) && tell_news() && is_running();
 }
 
 PCGAgentView *CitizenManager::get_agent_view() const { return Object::cast_to<PCGAgentView>(ObjectDB::get_instance(_view_id)); }
@@ -262,7 +318,7 @@ void CitizenManager::show_bodies() {
 }
 
 void CitizenManager::stop() {
-	if (!is_running()) {
+	if (!is_running() || !is_alone("stop")) {
 		return;
 	}
 	_begin = _life->simulation->now();
@@ -275,126 +331,6 @@ void CitizenManager::stop() {
 	_life->log.reset();
 	_life->heat.reset();
 	emit_signal("simulation_stopped");
-}
-
-void CitizenManager::_process(double p_delta) {
-	leave_lost_city(); // one that was freed has told nobody
-	if (is_running() && !_is_paused) {
-		advance(p_delta * _time_scale);
-	}
-}
-
-void CitizenManager::advance(double p_seconds) {
-	ERR_FAIL_COND_MSG(!is_running(), "CitizenManager: nothing runs. Call start() before advance().");
-	ERR_FAIL_COND_MSG(!(p_seconds >= 0.0 && p_seconds <= longest_advance),
-			"CitizenManager: advance() takes 0 s to 366 days; jump_to() goes backwards.");
-	Simulation &simulation = *_life->simulation;
-	const int64_t day_before = simulation.now().day();
-	const double seconds = p_seconds + _owed_seconds;
-	const Duration step{ int64_t(std::floor(seconds * 1000.0)) };
-	_owed_seconds = seconds - step.in_seconds();
-	listen();
-	simulation.step(step);
-	show_bodies();
-	if (_life->checker) {
-		_life->checker->check();
-	}
-	tell_rule_messages();
-	tell_notices();
-	for (int64_t day = day_before + 1; is_running() && day <= _life->simulation->now().day(); ++day) {
-		emit_signal("day_started", day);
-	}
-	tell_broken_promises();
-}
-
-void CitizenManager::jump_to(int p_day, double p_seconds) {
-	ERR_FAIL_COND_MSG(!(std::abs(p_seconds) <= longest_advance), "CitizenManager: jump_to() takes seconds of the day.");
-	const SimTime time = SimTime::at(p_day, Duration::seconds(p_seconds));
-	if (!is_running()) {
-		_begin = time;
-		return;
-	}
-	listen();
-	_life->simulation->jump_to(time);
-	_owed_seconds = 0.0;
-	show_bodies();
-	tell_rule_messages();
-	tell_notices();
-	emit_signal("time_jumped");
-}
-
-void CitizenManager::set_day(int p_day) {
-	if (p_day != get_day()) {
-		jump_to(p_day, get_time());
-	}
-}
-
-int CitizenManager::get_day() const { return int((is_running() ? _life->simulation->now() : _begin).day()); }
-
-void CitizenManager::set_time(double p_seconds) { jump_to(get_day(), p_seconds); }
-
-double CitizenManager::get_time() const { return (is_running() ? _life->simulation->now() : _begin).time_of_day().in_seconds(); }
-
-String CitizenManager::get_clock_text() const {
-	const SimTime now = is_running() ? _life->simulation->now() : _begin;
-	return to_godot(std::string_view(clock_text(now.time_of_day())));
-}
-
-void CitizenManager::set_time_scale(double p_scale) {
-	ERR_FAIL_COND_MSG(!(p_scale >= 0.0 && p_scale <= 100000.0), "CitizenManager: time_scale is 0 to 100000; 1 is real time.");
-	_time_scale = p_scale;
-}
-
-// Only what somebody listens to is written down.
-void CitizenManager::listen() {
-	for (size_t kind = 0; kind < Notice::kind_count; ++kind) {
-		_life->notices.want(Notice::Kind(kind), has_connections(signal_of_notice[kind]));
-	}
-}
-
-// What went wrong in delayed rules, and was not told when agendas were written.
-void CitizenManager::tell_rule_messages() {
-	const std::vector<Diagnostic> &messages = _life->simulation->diagnostics().list();
-	Diagnostics news;
-	for (; _told_messages < messages.size(); ++_told_messages) {
-		const Diagnostic &message = messages[_told_messages];
-		const std::vector<Diagnostic> &told = _diagnostics.list();
-		if (std::none_of(told.begin(), told.end(), [&](const Diagnostic &other) { return agenda::is_repeat(other, message); })) {
-			news.add(message);
-		}
-	}
-	report(news);
-}
-
-void CitizenManager::tell_notices() {
-	if (!_life) {
-		return; // whoever listened to the signal before this one has cleared the city
-	}
-	const std::vector<Notice> notices = _life->notices.take();
-	for (const Notice &notice : notices) {
-		const StringName signal = signal_of_notice[size_t(notice.kind)];
-		const int64_t person = index_of(notice.person);
-		switch (notice.kind) {
-			case Notice::Kind::LeftBuilding:
-			case Notice::Kind::EnteredBuilding: emit_signal(signal, person, int64_t(to_number(notice.building))); break;
-			case Notice::Kind::TaskStarted: emit_signal(signal, person, to_godot(task_kind_name(notice.task))); break;
-			case Notice::Kind::AgentSpawned:
-			case Notice::Kind::AgentFreed: emit_signal(signal, person); break;
-		}
-	}
-}
-
-void CitizenManager::tell_broken_promises() {
-	if (!is_running() || !_life->checker || _life->checker->broken_total() == _told_breaks) {
-		return;
-	}
-	const bool is_first = _told_breaks == 0;
-	_told_breaks = _life->checker->broken_total();
-	const std::vector<std::string> &examples = _life->checker->examples();
-	if (is_first && !examples.empty()) {
-		WARN_PRINT("CitizenManager: a promise of the simulation was broken (please report this): " + to_godot(std::string_view(examples[0])));
-	}
-	emit_signal("promise_broken", int64_t(_told_breaks));
 }
 
 } // namespace pcg

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/classes/node.hpp>
 #include <godot_cpp/classes/ref.hpp>
+#include <godot_cpp/variant/callable.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
+#include <godot_cpp/variant/packed_byte_array.hpp>
 #include <godot_cpp/variant/packed_int32_array.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
 #include <godot_cpp/variant/rect2.hpp>
@@ -13,10 +16,12 @@
 #include <godot_cpp/variant/typed_array.hpp>
 #include <godot_cpp/variant/vector3.hpp>
 
+#include "core/agenda/agenda_edit.h"
 #include "core/base/diagnostic.h"
 #include "core/base/sim_time.h"
 #include "godot/nodes/citizen_life.h"
 #include "godot/resources/pcg_household_table.h"
+#include "godot/resources/pcg_population.h"
 #include "godot/resources/pcg_rule_set.h"
 
 namespace pcg {
@@ -40,6 +45,8 @@ public:
 	godot::String get_start_rule() const { return _start_rule; }
 	void set_household_table(const godot::Ref<PCGHouseholdTable> &p_table);
 	godot::Ref<PCGHouseholdTable> get_household_table() const { return _table; }
+	void set_population(const godot::Ref<PCGPopulation> &p_population);
+	godot::Ref<PCGPopulation> get_population() const { return _people; }
 	void set_person_count(int p_count);
 	int get_person_count() const { return _person_count; }
 	void set_home_type(const godot::String &p_type) { _home_type = p_type; }
@@ -71,9 +78,25 @@ public:
 	void advance(double p_seconds);
 	void jump_to(int p_day, double p_seconds);
 
+	// citizen_manager_live.cpp: changes, also while life goes on
+	bool insert_task(int p_person, const godot::Dictionary &p_task);
+	bool take_over(int p_person);
+	bool place_taken(int p_person, const godot::Vector3 &p_position);
+	bool release(int p_person);
+	godot::PackedInt32Array add_people(const godot::Ref<PCGPopulation> &p_people);
+	bool remove_person(int p_person);
+
+	// citizen_manager_saving.cpp
+	godot::PackedByteArray save_state() const;
+	bool load_state(const godot::PackedByteArray &p_bytes);
+	godot::Error save_state_file(const godot::String &p_path) const;
+	godot::Error load_state_file(const godot::String &p_path);
+	godot::Ref<PCGPopulation> keep_population();
+
 	// citizen_manager_queries.cpp
 	godot::Dictionary get_person(int p_person) const;
-	godot::TypedArray<godot::Dictionary> get_agenda(int p_person) const;
+	godot::PackedInt32Array find_persons(const godot::Callable &p_predicate) const;
+	godot::TypedArray<godot::Dictionary> get_agenda(int p_person, int p_day) const;
 	godot::PackedInt32Array get_persons_outside() const;
 	godot::PackedInt32Array get_persons_inside(int p_building) const;
 	godot::Dictionary get_statistics() const;
@@ -84,6 +107,7 @@ public:
 	godot::PackedStringArray tell_day(int p_household, int p_day) const;
 	godot::Error save_lives(const godot::String &p_path) const;
 	PCGAgentView *get_agent_view() const;
+	double get_monitor(const godot::String &p_monitor) const; // citizen_manager_monitors.cpp
 
 	// citizen_heat.cpp
 	godot::Error save_heat_map(const godot::String &p_path, const godot::String &p_group) const;
@@ -101,26 +125,44 @@ protected:
 private:
 	static void bind_properties();
 	static void bind_queries();
+	static void bind_changes();
+	static void bind_signals();
 	bool check_inputs(Diagnostics &diagnostics) const;
+	bool check_place(Diagnostics &diagnostics) const;
+	std::shared_ptr<CitizenLife> new_life() const;
+	void draw_people(CitizenLife &life, Diagnostics &diagnostics) const;
+	AgendaOptions agenda_options() const;
+	bool live(const std::function<void(Simulation &)> &begin);
 	bool has_person(int p_person) const;
+	bool is_alone(const char *p_method) const;
+	bool is_living(int p_person, const char *p_method) const;
+	bool tell_change(const AgendaChange &change);
+	bool check_task(const Task &task, std::optional<int64_t> day) const;
 	PCGAgentView *find_view();
 	void open_view();
 	void close_view();
 	void show_bodies();
 	void listen();
-	void tell_notices();
+	bool move(const std::function<void(Simulation &)> &change);
+	bool tell_news();
+	bool tell_notices();
 	void tell_broken_promises();
 	void flush_lives() const;
 	const HeatMap *find_heat_map(const godot::String &p_group) const;
 	void tell_rule_messages();
 	void on_city_generated(bool);
+	void on_city_cleared();
 	void follow_city();
-	void leave_lost_city();
+	bool leave_lost_city();
+	void add_monitors();
+	void remove_monitors();
+	void count_load(double seconds);
 
 	uint64_t _city_id = 0; // of the PCGCity; 0 = none
 	godot::Ref<PCGRuleSet> _rules;
 	godot::String _start_rule;
 	godot::Ref<PCGHouseholdTable> _table;
+	godot::Ref<PCGPopulation> _people; // null: households are drawn from the table
 	int _person_count = 600;
 	godot::String _home_type = "house";
 	int64_t _seed = 1;
@@ -132,11 +174,14 @@ private:
 	bool _is_paused = false;
 
 	Diagnostics _diagnostics;
-	std::unique_ptr<CitizenLife> _life; // from generate_population() on
+	std::shared_ptr<CitizenLife> _life; // from generate_population() on
 	uint64_t _view_id = 0; // of the PCGAgentView, a child, from the first start() on; 0 = none
 	double _owed_seconds = 0.0; // of simulated time, below the clock's millisecond
 	uint64_t _told_breaks = 0;
 	size_t _told_messages = 0; // of the simulation's diagnostics
+	bool _is_generating = false;
+	CitizenLoad _load;
+	godot::PackedStringArray _monitors; // that the engine knows of
 };
 
 } // namespace pcg

@@ -18,6 +18,25 @@ void CitizenManager::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("advance", "seconds"), &CitizenManager::advance);
 	ClassDB::bind_method(D_METHOD("jump_to", "day", "seconds"), &CitizenManager::jump_to);
 
+	bind_changes();
+	bind_signals();
+}
+
+void CitizenManager::bind_changes() {
+	ClassDB::bind_method(D_METHOD("insert_task", "person", "task"), &CitizenManager::insert_task);
+	ClassDB::bind_method(D_METHOD("take_over", "person"), &CitizenManager::take_over);
+	ClassDB::bind_method(D_METHOD("place_taken", "person", "position"), &CitizenManager::place_taken);
+	ClassDB::bind_method(D_METHOD("release", "person"), &CitizenManager::release);
+	ClassDB::bind_method(D_METHOD("add_people", "people"), &CitizenManager::add_people);
+	ClassDB::bind_method(D_METHOD("remove_person", "person"), &CitizenManager::remove_person);
+	ClassDB::bind_method(D_METHOD("save_state"), &CitizenManager::save_state);
+	ClassDB::bind_method(D_METHOD("load_state", "bytes"), &CitizenManager::load_state);
+	ClassDB::bind_method(D_METHOD("save_state_file", "path"), &CitizenManager::save_state_file);
+	ClassDB::bind_method(D_METHOD("load_state_file", "path"), &CitizenManager::load_state_file);
+	ClassDB::bind_method(D_METHOD("keep_population"), &CitizenManager::keep_population);
+}
+
+void CitizenManager::bind_signals() {
 	const PropertyInfo person(Variant::INT, "person"), building(Variant::INT, "building");
 	ADD_SIGNAL(MethodInfo("population_generated"));
 	ADD_SIGNAL(MethodInfo("simulation_started"));
@@ -29,6 +48,8 @@ void CitizenManager::_bind_methods() {
 	ADD_SIGNAL(MethodInfo("task_started", person, PropertyInfo(Variant::STRING, "kind")));
 	ADD_SIGNAL(MethodInfo("agent_spawned", person));
 	ADD_SIGNAL(MethodInfo("agent_freed", person));
+	ADD_SIGNAL(MethodInfo("task_dropped", person, PropertyInfo(Variant::DICTIONARY, "task"), PropertyInfo(Variant::STRING, "reason"),
+			PropertyInfo(Variant::STRING, "required")));
 	ADD_SIGNAL(MethodInfo("promise_broken", PropertyInfo(Variant::INT, "count")));
 }
 
@@ -47,6 +68,9 @@ void CitizenManager::bind_properties() {
 	ClassDB::bind_method(D_METHOD("get_household_table"), &CitizenManager::get_household_table);
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "household_table", PROPERTY_HINT_RESOURCE_TYPE, "PCGHouseholdTable"),
 			"set_household_table", "get_household_table");
+	ClassDB::bind_method(D_METHOD("set_population", "population"), &CitizenManager::set_population);
+	ClassDB::bind_method(D_METHOD("get_population"), &CitizenManager::get_population);
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "population", PROPERTY_HINT_RESOURCE_TYPE, "PCGPopulation"), "set_population", "get_population");
 	ClassDB::bind_method(D_METHOD("set_person_count", "count"), &CitizenManager::set_person_count);
 	ClassDB::bind_method(D_METHOD("get_person_count"), &CitizenManager::get_person_count);
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "person_count", PROPERTY_HINT_RANGE, "0,10000,1,or_greater"), "set_person_count",
@@ -88,7 +112,9 @@ void CitizenManager::bind_properties() {
 void CitizenManager::bind_queries() {
 	ClassDB::bind_method(D_METHOD("get_clock_text"), &CitizenManager::get_clock_text);
 	ClassDB::bind_method(D_METHOD("get_person", "person"), &CitizenManager::get_person);
-	ClassDB::bind_method(D_METHOD("get_agenda", "person"), &CitizenManager::get_agenda);
+	ClassDB::bind_method(D_METHOD("find_persons", "predicate"), &CitizenManager::find_persons);
+	ClassDB::bind_method(D_METHOD("get_agenda", "person", "day"), &CitizenManager::get_agenda, DEFVAL(-1));
+	ClassDB::bind_method(D_METHOD("get_monitor", "monitor"), &CitizenManager::get_monitor);
 	ClassDB::bind_method(D_METHOD("get_persons_outside"), &CitizenManager::get_persons_outside);
 	ClassDB::bind_method(D_METHOD("get_persons_inside", "building"), &CitizenManager::get_persons_inside);
 	ClassDB::bind_method(D_METHOD("get_statistics"), &CitizenManager::get_statistics);

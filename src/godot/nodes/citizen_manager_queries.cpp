@@ -5,6 +5,8 @@
 #include "core/population/names.h"
 #include "core/sim/day_story.h"
 #include "godot/convert.h"
+#include "godot/convert_task.h"
+#include "godot/liveness.h"
 #include "godot/nodes/citizen_manager.h"
 #include "godot/nodes/pcg_agent_view.h"
 #include "godot/nodes/pcg_city.h"
@@ -41,21 +43,12 @@ void add_state(Dictionary &result, const PersonView &view, const Transform3D &fr
 		result["arrival"] = view.arrival.in_seconds();
 	}
 	result["leader"] = int64_t(to_number(view.leader));
+	static constexpr const char *presences[] = { "living", "taken", "removed" };
+	result["presence"] = presences[size_t(view.presence)];
 }
 
 Transform3D frame_of(const PCGCity *city) {
 	return city && city->is_inside_tree() ? city->get_global_transform() : Transform3D();
-}
-
-PackedStringArray day_names(DayMask days) {
-	static constexpr const char *names[] = { "mon", "tue", "wed", "thu", "fri", "sat", "sun" };
-	PackedStringArray result;
-	for (int day = 0; day < 7; ++day) {
-		if (days & (1 << day)) {
-			result.push_back(names[day]);
-		}
-	}
-	return result;
 }
 
 } // namespace
@@ -75,7 +68,8 @@ Dictionary CitizenManager::get_person(int p_person) const {
 	result["age"] = int64_t(person.age);
 	result["gender"] = person.gender == Gender::Woman ? "woman" : "man";
 	result["household"] = int64_t(to_number(person.household));
-	result["household_row"] = int64_t(_life->population.household(person.household).pattern);
+	const uint16_t row = _life->population.household(person.household).pattern;
+	result["household_row"] = row == PCGPopulation::no_row ? int64_t(-1) : int64_t(row);
 	result["home"] = int64_t(to_number(_life->population.home_of(id)));
 	result["walking_speed"] = person.walking_speed;
 	if (is_running()) {
@@ -84,30 +78,37 @@ Dictionary CitizenManager::get_person(int p_person) const {
 	return result;
 }
 
-TypedArray<Dictionary> CitizenManager::get_agenda(int p_person) const {
+// Calls a script for each person, which may do anything meanwhile.
+PackedInt32Array CitizenManager::find_persons(const godot::Callable &p_predicate) const {
+	PackedInt32Array found;
+	ERR_FAIL_COND_V_MSG(!p_predicate.is_valid(), found, "CitizenManager: find_persons() takes a function of a person that gives true or false.");
+	const uint64_t self = get_instance_id();
+	for (int person = 0; has_person(person); ++person) {
+		Array arguments;
+		arguments.push_back(get_person(person));
+		const Variant is_wanted = p_predicate.callv(arguments);
+		ERR_FAIL_COND_V_MSG(is_wanted.get_type() != Variant::BOOL, found,
+				"CitizenManager: the function that find_persons() was given has to give true or false.");
+		if (bool(is_wanted)) {
+			found.push_back(person);
+		}
+		if (!is_there(self)) {
+			break;
+		}
+	}
+	return found;
+}
+
+TypedArray<Dictionary> CitizenManager::get_agenda(int p_person, int p_day) const {
 	TypedArray<Dictionary> result;
 	ERR_FAIL_COND_V_MSG(!has_person(p_person), result,
 			"CitizenManager: there is no such person. Persons are numbered from 0; get_statistics() has their number.");
-	for (const Task &task : _life->agendas.tasks_of(PersonId(p_person))) {
-		Dictionary entry;
-		entry["kind"] = to_godot(task_kind_name(task.kind));
-		entry["start"] = task.start().in_seconds();
-		entry["end"] = task.end().in_seconds();
-		entry["target"] = task.target == 0xFFFFFFFF ? int64_t(-1) : int64_t(task.target);
-		entry["days"] = day_names(task.days);
-		if (task.kind == TaskKind::DelayedRule && task.target < _life->program->rules.size()) {
-			entry["delayed_rule"] = to_godot(std::string_view(_life->program->rules[task.target].name));
-		} else if (task.kind == TaskKind::Accompany) {
-			entry["leader"] = int64_t(index_of(_life->agendas.groups[task.target].leader));
-			entry["joiners"] = to_ids(_life->agendas.groups[task.target].joiners);
+	const AgendaView agenda = _life->agendas.agenda_of(PersonId(p_person));
+	const DayMask days = p_day < 0 ? all_days : DayMask(1u << SimTime::at(p_day, {}).weekday());
+	for (const Task &task : p_day < 0 ? agenda.week : agenda.on(p_day)) {
+		if (task.days & days) {
+			result.push_back(to_godot(task, _life->agendas, *_life->program));
 		}
-		if (task.origin < _life->agendas.origins.size()) {
-			const TaskOrigin &origin = _life->agendas.origins[task.origin];
-			entry["rule"] = to_godot(std::string_view(origin.rule));
-			entry["file"] = to_godot(std::string_view(origin.file));
-			entry["line"] = origin.line;
-		}
-		result.push_back(entry);
 	}
 	return result;
 }

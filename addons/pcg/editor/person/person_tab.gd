@@ -186,7 +186,8 @@ static func _word_for(told: Dictionary) -> String:
 
 func _household_type(told: Dictionary) -> String:
 	var rows: Array[Dictionary] = context.citizens.household_table.get_households() if context.citizens.household_table else ([] as Array[Dictionary])
-	return rows[told["household_row"]]["descriptor"] if int(told["household_row"]) < rows.size() else ""
+	var row: int = told["household_row"]
+	return rows[row]["descriptor"] if row >= 0 and row < rows.size() else ""
 
 
 ## The ways between the buildings of the day that the clock shows: dictionaries with `points` and `hour`.

@@ -1,0 +1,339 @@
+extends "res://tests/godot/suite.gd"
+## What a game does to people while they live: entries, quests, newcomers, saved games; and scripts that do it at the wrong moment.
+
+const CityForTests := preload("res://tests/godot/city_for_tests.gd")
+const HOUR := 3600.0
+## The first adult brings the children to school and fetches them, if it brought them.
+const SCHOOL_RUN := """@StartRule
+Household -->
+	members { true: stayInside(0h, 24h, home) }
+	members { age < 18: task("school") { goToBuilding(7h30m, 16h, findNearestBuilding("school", home)) } }
+	case count(age < 18) > 0: members { age >= 18: requires("school") { delayedRule(16h, 17h, Park) } }
+Park --> goToZone("park") wait(10m)
+"""
+## Rules that call the game in the middle of a step.
+const CALLING := """@StartRule
+Household --> members { true: delayedRule(9h + rand(0, 1h), 11h, Call) }
+Call --> wait(60) case testCall(): wait(60) else: wait(30)
+"""
+
+var _city: PCGCity
+var _citizens: CitizenManager
+
+
+func before_each() -> void:
+	_city = CityForTests.make_city()
+	add_child(_city)
+	_city.generate_now()
+	_make_citizens()
+
+
+func _make_citizens() -> void:
+	_citizens = CityForTests.make_citizens(_city)
+	_citizens.check_promises = true
+	add_child(_citizens)
+
+
+func _begin(hour: float = 0.0) -> void:
+	check(_citizens.generate_population(), "there are people: %s" % [_citizens.get_diagnostics()])
+	_citizens.jump_to(0, hour * HOUR)
+	check(_citizens.start(), "life begins")
+
+
+func _check_promises() -> void:
+	for count: int in _citizens.get_broken_promises().values():
+		check_equal(count, 0, "a promise: %s" % [_citizens.get_broken_promise_examples()])
+
+
+func _somebody(wanted: Callable) -> int:
+	var found: PackedInt32Array = _citizens.find_persons(wanted)
+	check(not found.is_empty(), "there is somebody like that")
+	return found[0] if not found.is_empty() else 0
+
+
+func _school() -> int:
+	var child: int = _somebody(func(person: Dictionary) -> bool: return person["age"] < 18)
+	var home: int = _citizens.get_person(child)["home"]
+	return _citizens.get_agenda(child).filter(func(task: Dictionary) -> bool: return task["target"] != home)[0]["target"]
+
+
+func _adult_with_child() -> int:
+	var children: PackedInt32Array = _citizens.find_persons(func(person: Dictionary) -> bool: return person["age"] < 18)
+	var household: int = _citizens.get_person(children[0])["household"]
+	return _somebody(func(person: Dictionary) -> bool: return person["household"] == household and person["age"] >= 18)
+
+
+func test_persons_are_found_by_what_they_are_and_do() -> void:
+	_begin(12.0)
+	var inside: PackedInt32Array = _citizens.find_persons(func(person: Dictionary) -> bool: return person["state"] == "inside")
+	check_equal(inside.size() + _citizens.get_persons_outside().size(), int(_citizens.get_statistics()["persons"]), "inside or outside")
+	expect_message("has to give true or false")
+	check(_citizens.find_persons(func(_person: Dictionary) -> int: return 1).is_empty(), "not with a number")
+
+
+func test_an_entry_for_one_day_is_seen_lived_and_saved() -> void:
+	_begin(9.0)
+	var person: int = _somebody(func(one: Dictionary) -> bool: return one["state"] == "inside" and one["age"] >= 65)
+	var home: int = _citizens.get_person(person)["home"]
+	var usual: Array[Dictionary] = _citizens.get_agenda(person)
+	var school: int = _school()
+	var task := {"kind": "goToBuilding", "start": 9 * HOUR, "end": 10 * HOUR, "target": school, "day": 0}
+	check(_citizens.insert_task(person, task), "it is inserted")
+	check_equal(_citizens.get_agenda(person), usual, "the week is as it was")
+	var today: Array = _citizens.get_agenda(person, 0).filter(func(one: Dictionary) -> bool: return one["start"] == 9 * HOUR)
+	check_equal(today.size(), 1, "today it is there")
+	check_equal(today[0]["target"], school, "with its goal")
+	check_equal(_citizens.get_agenda(person, 7).size(), _citizens.get_agenda(person, 14).size(), "other Mondays are alike")
+	check_equal(_citizens.get_person(person)["place"]["id"], school, "it sets out at once")
+	var saved: PackedByteArray = _citizens.save_state()
+	_citizens.advance(30 * 60.0)
+	check(_citizens.get_persons_inside(school).has(person), "and arrives")
+	check(_citizens.load_state(saved), "the state before")
+	check_equal(_citizens.get_agenda(person, 0).filter(func(one: Dictionary) -> bool: return one["start"] == 9 * HOUR).size(), 1, "it is saved")
+	_citizens.advance(90 * 60.0)
+	check(not _citizens.get_persons_inside(school).has(person), "it is over")
+	check(home >= 0, "there is a home")
+	_check_promises()
+
+
+func test_what_required_a_lost_entry_is_dropped_and_told() -> void:
+	_citizens.rules = CityForTests.make_rules(SCHOOL_RUN, PCGRuleSet.DIALECT_AGENDA)
+	_begin(6.0)
+	var told: Array[Array] = []
+	_citizens.task_dropped.connect(func(person: int, task: Dictionary, reason: String, required: String) -> void:
+		told.append([person, task["kind"], task["day"], reason, required]))
+	var adult: int = _adult_with_child()
+	var household: int = _citizens.get_person(adult)["household"]
+	var before: int = _citizens.get_agenda(adult, 1).size()
+	for child: int in _citizens.find_persons(func(one: Dictionary) -> bool: return one["household"] == household and one["age"] < 18):
+		var ill := {"kind": "stayInside", "start": 0, "end": 24 * HOUR, "target": _citizens.get_person(child)["home"], "day": 1}
+		check(_citizens.insert_task(child, ill), "a child is ill on Tuesday")
+	check(told.has([adult, "delayedRule", 1, "lost", "school"]), "nobody goes to the park: %s" % [told])
+	check_equal(_citizens.get_agenda(adult, 1).size(), before - 1, "on that Tuesday")
+	check_equal(_citizens.get_agenda(adult, 8).size(), before, "only")
+
+
+func test_entries_that_cannot_be_are_refused_with_what_is_wrong() -> void:
+	_begin(9.0)
+	var good := {"kind": "goToBuilding", "start": 10 * HOUR, "end": 11 * HOUR, "target": 0}
+	var wrong := {
+		"there is no key 'strat'; did you mean 'start'?": {"strat": 5},
+		"there is no kind 'goToBulding'; did you mean 'goToBuilding'?": {"kind": "goToBulding"},
+		"`start` and `end` have to be seconds": {"end": "noon"},
+		"it has to end after it starts": {"end": 9 * HOUR},
+		"is no building of the city": {"target": 100000},
+		"there is no day 'monday'": {"days": ["monday"]},
+		"`day` has to be a whole number": {"day": 0.5},
+		"the time of the task is over": {"day": -3},
+		"there is no 'Prak'; did you mean 'Park'?": {"kind": "delayedRule", "delayed_rule": "Prak"},
+		"walks together are made by rules only": {"kind": "accompany"},
+		"`start` has to be within a week": {"start": NAN},
+	}
+	for message: String in wrong:
+		expect_message(message)
+		check(not _citizens.insert_task(0, good.merged(wrong[message], true)), message)
+	check(_citizens.insert_task(0, good), "the good one")
+	expect_message("there is no such person")
+	check(not _citizens.insert_task(-1, good), "nobody")
+
+
+func test_the_game_takes_somebody_over_and_gives_it_back() -> void:
+	_begin(9.0)
+	check(_citizens.take_over(3), "the game has it")
+	check(not _citizens.take_over(3), "once")
+	check_equal(_citizens.get_person(3)["presence"], "taken", "it is told")
+	check(not _citizens.get_agent_view().has_agent(3), "the game shows it")
+	var there: Vector3 = _citizens.get_person(3)["position"] + Vector3(2, 0, 1)
+	check(_citizens.place_taken(3, there), "the game moves it")
+	check_near(there.distance_to(_citizens.get_person(3)["position"]), 0.0, 0.01, "there it is")
+	_citizens.advance(HOUR)
+	check_near(there.distance_to(_citizens.get_person(3)["position"]), 0.0, 0.01, "it stays there")
+	check(_citizens.release(3), "given back")
+	check(not _citizens.release(3), "once")
+	check(not _citizens.place_taken(3, there), "and the game's no more")
+	_citizens.advance(3 * HOUR)
+	check_equal(_citizens.get_person(3)["presence"], "living", "it lives on")
+	expect_message("place_taken() takes a finite position")
+	check(not _citizens.place_taken(3, Vector3(NAN, 0, 0)), "not nowhere")
+	_check_promises()
+
+
+func test_people_come_and_go() -> void:
+	_begin(9.0)
+	var before: int = _citizens.get_statistics()["persons"]
+	var home: int = _citizens.get_person(0)["home"]
+	var people := PCGPopulation.new()
+	people.source = "household,person,home,age,gender,speed,first_name\n7,1,%d,35,w,1.3,\n7,2,%d,8,m,1.1,\n" % [home, home]
+	check_equal(_citizens.add_people(people), PackedInt32Array([before, before + 1]), "two come")
+	check_equal(_citizens.get_person(before)["home"], home, "with a home")
+	check(not _citizens.get_agenda(before + 1).is_empty(), "and things to do")
+	_citizens.advance(24 * HOUR)
+	check(_citizens.remove_person(before), "one goes")
+	check(not _citizens.remove_person(before), "once")
+	check_equal(_citizens.get_person(before)["presence"], "removed", "for good")
+	expect_message("the city has no building 9999")
+	people.source = "household,person,home,age,gender,speed\n7,1,9999,35,w,1.3\n"
+	check(_citizens.add_people(people).is_empty(), "nobody without a home")
+	_citizens.advance(24 * HOUR)
+	_check_promises()
+
+
+func test_a_saved_life_goes_on_as_it_would_have() -> void:
+	_begin(7.5)
+	_citizens.advance(20 * 60.0)
+	_citizens.take_over(2)
+	_citizens.paused = true
+	var path := "user://state_of_tests.pcgstate"
+	check_equal(_citizens.save_state_file(path), OK, "saved while paused")
+	_citizens.advance(2 * HOUR)
+	var later: Array = _where_everybody_is()
+	_make_citizens() # nobody lives with this one yet
+	check_equal(_citizens.load_state_file(path), OK, "loaded into one that never ran")
+	check_equal(_citizens.get_clock_text(), "07:50", "at that time")
+	check_equal(_citizens.get_person(2)["presence"], "taken", "with what the game had")
+	check_equal(_citizens.get_agent_view().get_agent_count(), _citizens.get_persons_outside().size() - 1, "all others outdoors have bodies")
+	_citizens.advance(2 * HOUR)
+	check_equal(_where_everybody_is(), later, "the same future")
+	DirAccess.remove_absolute(path)
+	_check_promises()
+
+
+func _where_everybody_is() -> Array:
+	return range(_citizens.get_statistics()["persons"]).map(func(id: int) -> Array:
+		var person: Dictionary = _citizens.get_person(id)
+		return [person["state"], person["place"], person["position"]])
+
+
+func test_states_that_do_not_fit_are_refused_and_life_goes_on() -> void:
+	expect_message("nothing runs. Call start() before save_state()")
+	check(_citizens.save_state().is_empty(), "nothing to save")
+	_begin(8.0)
+	var good: PackedByteArray = _citizens.save_state()
+	var before: Array = _where_everybody_is()
+	var stops: Array[int] = [0]
+	_citizens.simulation_stopped.connect(func() -> void: stops[0] += 1)
+	var damaged: PackedByteArray = good.duplicate()
+	damaged[good.size() / 2] += 1
+	expect_message("the saved simulation is damaged")
+	check(not _citizens.load_state(damaged), "damaged")
+	check(not _citizens.load_state(good.slice(0, 40)), "cut")
+	expect_message("this is no saved simulation")
+	check(not _citizens.load_state(PackedByteArray()), "nothing")
+	var newer: PackedByteArray = good.duplicate()
+	newer[8] = 99
+	expect_message("it was saved by a newer version (format 99")
+	check(not _citizens.load_state(newer), "newer")
+	expect_message("no such file.pcgstate")
+	check_equal(_citizens.load_state_file("user://no such file.pcgstate"), ERR_FILE_CANT_READ, "not there")
+	check_equal(_where_everybody_is(), before, "nothing has changed")
+	check_equal(stops[0], 0, "and life went on")
+	var other: PCGCity = CityForTests.make_city()
+	other.lot_types = [CityForTests.make_type("house", 1, "Lot --> entrance(\"house\", 4)\n")]
+	other.seed = 9
+	add_child(other)
+	other.generate_now()
+	_citizens.rules = CityForTests.make_rules(SCHOOL_RUN, PCGRuleSet.DIALECT_AGENDA)
+	expect_message("the state was saved with other rules")
+	check(not _citizens.load_state(good), "other rules")
+	check(_citizens.is_running(), "it still runs")
+
+
+func test_people_who_are_kept_stay_the_same_and_can_be_edited() -> void:
+	check(_citizens.generate_population(), "people by chance")
+	var people: PCGPopulation = _citizens.keep_population()
+	var first: Dictionary = _citizens.get_person(0)
+	_citizens.seed = 99
+	check(_citizens.generate_population(), "people who were kept")
+	first["household_row"] = -1 # no table says who it is
+	check_equal(_citizens.get_person(0), first, "the same one")
+	people.source = people.source.replace("\n0,0,%d,%s" % [first["home"], people.source.get_slice("\n", 1).get_slice(",", 3)], "\n0,0,%d,77" % first["home"])
+	check(_citizens.generate_population(), "edited by hand")
+	check_equal(_citizens.get_person(0)["age"], 77, "older now")
+	var path := "user://people_of_tests.csv"
+	check_equal(people.save_csv(path), OK, "written")
+	_citizens.population = PCGPopulation.from_file(path)
+	check(_citizens.generate_population(), "read back")
+	check_equal(_citizens.get_person(0)["age"], 77, "as it was written")
+	check_equal(ResourceSaver.save(people, "user://people_of_tests.tres"), OK, "a resource, too")
+	check_equal(ResourceLoader.load("user://people_of_tests.tres").source, people.source, "with the same text")
+	for written: String in [path, "user://people_of_tests.tres"]:
+		DirAccess.remove_absolute(written)
+	expect_message("people_of_tests.csv")
+	_citizens.population.reload()
+	check(not _citizens.generate_population(), "the file is gone")
+
+
+func test_monitors_stand_in_the_debugger_while_the_node_is_in_the_tree() -> void:
+	_begin(8.0)
+	_citizens.advance(60.0)
+	check_equal(Performance.get_custom_monitor("%s/outside" % _citizens.name), float(_citizens.get_persons_outside().size()), "the same number")
+	check(_citizens.get_monitor("milliseconds_per_frame") > 0.0, "it took time")
+	expect_message("there is no monitor 'fps'")
+	check_equal(_citizens.get_monitor("fps"), 0.0, "not this one")
+	var id := "%s/agents" % _citizens.name
+	remove_child(_citizens)
+	check(not Performance.has_custom_monitor(id), "they go with it")
+	add_child(_citizens)
+	check(Performance.has_custom_monitor(id), "and come back")
+
+
+func test_what_rules_call_may_look_but_not_change_anything() -> void:
+	var seen: Array[int] = [0]
+	var call := func(_person: int) -> bool:
+		seen[0] += 1
+		if seen[0] == 1:
+			_citizens.get_person(0)
+			_citizens.stop()
+			_citizens.advance(1.0)
+			_citizens.jump_to(0, 0)
+			_citizens.start()
+			_citizens.save_state()
+			_citizens.load_state(PackedByteArray())
+			_citizens.insert_task(0, {})
+			_citizens.take_over(0)
+			_citizens.remove_person(0)
+			_citizens.generate_population()
+			_city.clear()
+		return true
+	check(PCGRuleSet.add_function("testCall", {}, TYPE_BOOL, call), "the rules may call it")
+	_citizens.rules = CityForTests.make_rules(CALLING, PCGRuleSet.DIALECT_AGENDA)
+	_begin(9.0)
+	for method: String in ["stop", "advance", "jump_to", "start", "save_state", "load_state", "insert_task", "take_over", "remove_person", "generate_population"]:
+		expect_message("%s() was called by a function or an operation of the rules" % method)
+	expect_message("its city was cleared, freed or generated anew")
+	_citizens.advance(2 * HOUR)
+	check(seen[0] > 5, "it was called")
+	await get_tree().process_frame
+	await get_tree().process_frame
+	check(not _citizens.is_running(), "the city went, and life ended after the step")
+
+
+func test_freeing_the_node_in_the_middle_of_a_step_or_a_signal_does_not_crash() -> void:
+	var call := func(_person: int) -> bool:
+		if is_instance_valid(_citizens):
+			_citizens.queue_free()
+		return true
+	check(PCGRuleSet.add_function("testCall", {}, TYPE_BOOL, call), "the rules may call it")
+	_citizens.rules = CityForTests.make_rules(CALLING, PCGRuleSet.DIALECT_AGENDA)
+	_begin(9.0)
+	_citizens.time_scale = 3600.0
+	_citizens.paused = false
+	for frame: int in 600:
+		if not is_instance_valid(_citizens):
+			break
+		_citizens.advance(60.0)
+		await get_tree().process_frame
+	check(not is_instance_valid(_citizens), "a rule's script has freed it")
+	_make_citizens()
+	_begin(7.0)
+	_citizens.person_left_building.connect(func(_person: int, _building: int) -> void: _citizens.queue_free())
+	_citizens.advance(HOUR)
+	await get_tree().process_frame
+	await get_tree().process_frame
+	check(not is_instance_valid(_citizens), "a listener has freed it")
+	_make_citizens()
+	_begin(7.0)
+	_citizens.simulation_stopped.connect(_citizens.queue_free)
+	_citizens.stop()
+	check(_citizens.start(), "it is only queued")
+	await get_tree().process_frame
