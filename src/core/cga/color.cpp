@@ -1,18 +1,24 @@
 #include "core/cga/color.h"
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 
 namespace pcg::cga {
 
 namespace {
 
-int digit(char c) {
-	if (c >= '0' && c <= '9') {
-		return c - '0';
+// Rules name colours at every second shape: a table, since the branches that tell digits from letters are never foreseen.
+constexpr std::array<int8_t, 256> make_digits() {
+	std::array<int8_t, 256> digits{};
+	digits.fill(-1);
+	for (int i = 0; i < 16; ++i) {
+		digits[size_t("0123456789abcdef"[i])] = digits[size_t("0123456789ABCDEF"[i])] = int8_t(i);
 	}
-	const char lower = char(c | 0x20);
-	return lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : -1;
+	return digits;
 }
+constexpr std::array<int8_t, 256> digits = make_digits();
+int digit(char c) { return digits[uint8_t(c)]; }
 
 } // namespace
 

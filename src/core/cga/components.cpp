@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -232,8 +231,8 @@ void add_points(GeometryBuilder &builder, const Geometry &geometry, const Geomet
 	builder.end_face(face.tag, face.material);
 }
 
-void set_pivot(Shape &shape, const Shape &parent, const Frame &local, Arena &arena) {
-	shape.pivot = arena.make(parent.frame() * local);
+void set_pivot(Shape &shape, const Frame &parent, const Frame &local, Arena &arena) {
+	shape.pivot = arena.make(parent * local);
 	shape.position = glm::dvec3(0.0);
 	shape.rotation = glm::dmat3(1.0);
 }
@@ -283,14 +282,15 @@ std::vector<ComponentInfo> components_of(const Geometry &geometry, ComponentKind
 	}
 }
 
-Shape face_shape(const Shape &parent, const Geometry &geometry, std::span<const uint32_t> faces, bool keeps_axes, GeometryBuilder &builder, Arena &arena) {
+Shape face_shape(const Shape &parent, const Frame &scope, const Geometry &geometry, std::span<const uint32_t> faces, glm::dvec3 first_normal, bool keeps_axes,
+		GeometryBuilder &builder, Arena &arena) {
 	const GeometryFace &first = geometry.faces[faces[0]];
 	const auto outline = geometry.outline(first);
 	Shape shape = parent;
 	Frame frame;
 	if (!keeps_axes && outline.size() >= 2) {
-		frame = { axes_from_z(face_normal(geometry, first), outline[1] - outline[0]), outline[0] };
-		set_pivot(shape, parent, frame, arena);
+		frame = { axes_from_z(first_normal, outline[1] - outline[0]), outline[0] };
+		set_pivot(shape, scope, frame, arena);
 	}
 	const glm::dvec3 extent = geometry.high - geometry.low;
 	const double flat = 1e-9 * (extent.x + extent.y + extent.z);
@@ -316,7 +316,7 @@ Shape edge_shape(const Shape &parent, std::span<const ComponentInfo *const> info
 	const ComponentInfo &first = *infos[0];
 	if (!keeps_axes) {
 		frame = { edge_axes(first.component.normal, to(first) - from(first)), from(first) };
-		set_pivot(shape, parent, frame, arena);
+		set_pivot(shape, parent.frame(), frame, arena);
 	}
 	builder.clear();
 	for (const ComponentInfo *info : infos) {
@@ -339,7 +339,7 @@ Shape hole_shape(const Shape &parent, const Geometry &geometry, std::span<const 
 	Frame frame;
 	if (!keeps_axes) {
 		frame = { axes_from_z(holes[0]->component.normal, first[0] - first[1]), first[1] };
-		set_pivot(shape, parent, frame, arena);
+		set_pivot(shape, parent.frame(), frame, arena);
 	}
 	builder.begin(geometry, glm::dmat3(0.0));
 	for (const ComponentInfo *hole : holes) {

@@ -29,9 +29,10 @@ std::vector<ComponentInfo> components_of(const Geometry &geometry, ComponentKind
 // Says of edges whether they are eaves, hips, valleys or ridges, and how these run: eaves counter-clockwise, the others upwards.
 void name_roof_edges(const Geometry &geometry, std::vector<ComponentInfo> &edges);
 
-// The shape of faces (at least one): x along the first one's first edge, z its normal, the pivot at that edge's first point. With
-// `keeps_axes` the scope stays as it is turned.
-Shape face_shape(const Shape &parent, const Geometry &geometry, std::span<const uint32_t> faces, bool keeps_axes, GeometryBuilder &builder, Arena &arena);
+// The shape of faces (at least one) of a shape and its scope: x along the first one's first edge, z its normal, the pivot at that edge's first
+// point. With `keeps_axes` the scope stays as it is turned.
+Shape face_shape(const Shape &parent, const Frame &scope, const Geometry &geometry, std::span<const uint32_t> faces, glm::dvec3 first_normal, bool keeps_axes,
+		GeometryBuilder &builder, Arena &arena);
 // The shape of edges or vertices (at least one): x along the first edge, z as it faces, the pivot at its first point.
 Shape edge_shape(const Shape &parent, std::span<const ComponentInfo *const> infos, bool keeps_axes, bool is_roof_edge, GeometryBuilder &builder, Arena &arena);
 // The shape of holes, filled.

@@ -41,45 +41,6 @@ Context::Context(const Program &program, const DeriveOptions &options)
 	_context_use = context_use(program);
 }
 
-DerivationResult Context::derive(const InitialShape &initial_shape, const Neighbors &neighbors) {
-	begin(initial_shape, neighbors);
-	if (_context_use.intra) {
-		surroundings.start_recording();
-		run_pass(initial_shape);
-		surroundings.finish_recording(true);
-	}
-	run_pass(initial_shape);
-	return model.take();
-}
-
-std::shared_ptr<const Occluders> Context::occluders(const InitialShape &initial_shape) {
-	begin(initial_shape, {});
-	surroundings.start_recording();
-	run_pass(initial_shape);
-	if (_context_use.intra) {
-		surroundings.finish_recording(true);
-		surroundings.start_recording();
-		run_pass(initial_shape);
-	}
-	return surroundings.finish_recording(false);
-}
-
-void Context::begin(const InitialShape &initial_shape, const Neighbors &neighbors) {
-	surroundings.begin(neighbors, _options.occlusion_distance);
-	_start = std::chrono::steady_clock::now();
-	_initial_shape = &initial_shape;
-}
-
-void Context::run_pass(const InitialShape &initial_shape) {
-	if (set_up(initial_shape)) {
-		surroundings.set_place(world_bounds(shape, _lot.origin), _lot.origin);
-		const RuleId start = start_rule();
-		if (is_valid(start)) {
-			run_rules(start);
-		}
-	}
-}
-
 bool Context::set_up(const InitialShape &initial_shape) {
 	if (_program.dialect == nullptr || _program.dialect->name != "cga") {
 		model.begin({});
@@ -220,7 +181,9 @@ void Context::add_leaf(const Shape &leaf) {
 		return;
 	}
 	surroundings.record(leaf, 0);
-	model.add_leaf(leaf);
+	if (!_is_rehearsal) {
+		model.add_leaf(leaf);
+	}
 }
 
 bool Context::is_interrupted() {

@@ -118,6 +118,7 @@ private:
 	};
 
 	void run_pass(const InitialShape &initial_shape);
+	void rehearse(const InitialShape &initial_shape);
 	void begin(const InitialShape &initial_shape, const Neighbors &neighbors);
 	bool set_up(const InitialShape &initial_shape);
 	RuleId find_start_rule() const;
@@ -162,6 +163,7 @@ private:
 	uint32_t _successor_count = 0; // of the running rule
 	std::vector<Shape> *_collected = nullptr; // leaves that inline takes
 	bool _is_stopped = false; // a limit was met
+	bool _is_rehearsal = false; // no model is made
 };
 
 class Context::Children {

@@ -12,14 +12,9 @@ namespace pcg::cga {
 namespace {
 
 bool is_at_bounds(glm::dvec3 point, const Geometry &geometry, glm::dvec3 margin) {
-	for (int axis = 0; axis < 3; ++axis) {
-		const bool is_low = point[axis] - geometry.low[axis] <= margin[axis];
-		const bool is_high = geometry.high[axis] - point[axis] <= margin[axis];
-		if (!is_low && !is_high) {
-			return false;
-		}
-	}
-	return true;
+	const auto is_at_end = [](double at, double low, double high, double off) { return at - low <= off || high - at <= off; };
+	return is_at_end(point.x, geometry.low.x, geometry.high.x, margin.x) && is_at_end(point.y, geometry.low.y, geometry.high.y, margin.y) &&
+			is_at_end(point.z, geometry.low.z, geometry.high.z, margin.z);
 }
 
 bool detect_block(const Geometry &geometry) {

@@ -220,12 +220,14 @@ bool write_material_variable(Vm &vm, uint32_t index, const Value &value) {
 	return index < all_rows().size() && all_rows()[index].write(Context::of(vm), value);
 }
 
-void set_texture(Context &context, TextureUse use, const Text &name) {
+TextureFiles::Entry set_texture(Context &context, TextureUse use, const Text &name) {
 	Look &look = context.own_look();
 	look.parts |= bit_of(use);
 	TextureSlot &slot = own_textures(context, look).slots[size_t(use)];
 	slot.file = context.model.materials().texts().intern(name);
-	slot.path = context.texture_files.find(context, name).path;
+	const TextureFiles::Entry entry = context.texture_files.find(context, name);
+	slot.path = entry.path;
+	return entry;
 }
 
 } // namespace pcg::cga

@@ -86,7 +86,28 @@ void complete_normals(Mesh &mesh, size_t corner_count) {
 	mesh.normals.resize(corner_count, glm::vec3(0.0f, 1.0f, 0.0f));
 }
 
+// A city keeps its meshes: what they have not filled is given back, unless it is next to nothing.
+template <typename T> void trim(std::vector<T> &list) {
+	if (list.capacity() > list.size() + list.size() / 8) {
+		list.shrink_to_fit();
+	}
+}
+
+void trim(Mesh &mesh) {
+	std::ranges::for_each(mesh.uvs, [](auto &uvs) { trim(uvs); });
+	trim(mesh.loop_ends);
+	trim(mesh.faces);
+	trim(mesh.normals);
+	trim(mesh.positions);
+}
+
 } // namespace
+
+ModelBuilder::MeshSize ModelBuilder::size_of(const Mesh &mesh) {
+	MeshSize size = { mesh.positions.size(), mesh.loop_ends.size(), mesh.faces.size() };
+	std::ranges::transform(mesh.uvs, size.uvs.begin(), [](const auto &uvs) { return uvs.size(); });
+	return size;
+}
 
 void ModelBuilder::begin(const Lot &lot) {
 	_lot = lot;
@@ -94,6 +115,9 @@ void ModelBuilder::begin(const Lot &lot) {
 	_result.mesh.positions.reserve(_expected.positions);
 	_result.mesh.loop_ends.reserve(_expected.loops);
 	_result.mesh.faces.reserve(_expected.faces);
+	for (size_t set = 0; set < uv_set_count; ++set) {
+		_result.mesh.uvs[set].reserve(_expected.uvs[set]);
+	}
 	_object_frames.clear();
 	_materials.begin();
 	_instances.begin();
@@ -112,7 +136,11 @@ DerivationResult ModelBuilder::take() {
 			add_default_places(_result.objects[i], _object_frames[i], bounds[i].low, bounds[i].high);
 		}
 	}
-	_expected = { _result.mesh.positions.size(), _result.mesh.loop_ends.size(), _result.mesh.faces.size() };
+	_expected = size_of(_result.mesh);
+	trim(_result.mesh);
+	for (ModelObject &object : _result.objects) {
+		trim(object.mesh);
+	}
 	return std::move(_result);
 }
 
@@ -144,9 +172,11 @@ template <typename MaterialOf> void ModelBuilder::add_faces(Mesh &mesh, const Sh
 	const Geometry &geometry = *shape.geometry;
 	if (_points.size() < geometry.point_count) {
 		_points.resize(geometry.point_count);
+		_shown_points.resize(geometry.point_count);
 	}
 	for (uint32_t i = 0; i < geometry.point_count; ++i) {
 		_points[i] = to_target.to_parent(shape.to_scope(geometry.points[i]));
+		_shown_points[i] = glm::vec3(_points[i]);
 	}
 	uint32_t material = 0;
 	for (uint32_t i = 0; i < geometry.face_count; ++i) {
@@ -222,11 +252,7 @@ bool ModelBuilder::add_face(Mesh &mesh, const Geometry &geometry, const Geometry
 		return false;
 	}
 	const uint32_t first_loop = uint32_t(mesh.loop_ends.size()), corner = uint32_t(mesh.positions.size());
-	mesh.positions.resize(corner + (end - first));
-	glm::vec3 *target = mesh.positions.data() + corner;
-	for (uint32_t i = first; i < end; ++i) {
-		*target++ = glm::vec3(_points[i]);
-	}
+	mesh.positions.insert(mesh.positions.end(), _shown_points.begin() + first, _shown_points.begin() + end);
 	for (uint32_t i = 0; i < face.loop_count; ++i) {
 		mesh.loop_ends.push_back(corner + geometry.loop_ends[face.first_loop + i] - first);
 	}

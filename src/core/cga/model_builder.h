@@ -38,6 +38,7 @@ private:
 	// Of the mesh of the last model: the next one is likely to be as large.
 	struct MeshSize {
 		size_t positions = 0, loops = 0, faces = 0;
+		std::array<size_t, uv_set_count> uvs = {};
 	};
 	// Where the report of a text of the program stands, if the model has one.
 	struct ReportPlace {
@@ -45,6 +46,7 @@ private:
 		size_t index = 0;
 	};
 
+	static MeshSize size_of(const Mesh &mesh);
 	Frame target_frame(const Shape &shape) const;
 	bool add_face(Mesh &mesh, const Geometry &geometry, const GeometryFace &face, uint32_t material);
 	template <typename MaterialOf> void add_faces(Mesh &mesh, const Shape &shape, const Frame &to_target, MaterialOf material_of);
@@ -61,6 +63,7 @@ private:
 	MaterialTable _materials;
 	InstanceTable _instances;
 	std::vector<glm::dvec3> _points; // of the present leaf, in the coordinates of its mesh
+	std::vector<glm::vec3> _shown_points; // the same
 	MeshSize _expected;
 	uint64_t _model = 0; // counts them
 	std::vector<ReportPlace> _report_places; // by symbol

@@ -1,5 +1,6 @@
 #include "core/cga/neighborhood.h"
 
+#include <algorithm>
 #include <mutex>
 
 #include <glm/common.hpp>
@@ -51,6 +52,19 @@ private:
 	std::vector<std::unique_ptr<Deriver>> _resting;
 };
 
+// Small lots take microseconds: a thread takes several that lie side by side, or the threads would wait for each other's counters and locks.
+template <typename Use> void for_each_lot(size_t count, Pool &pool, const WorkOptions &work, Use use) {
+	constexpr size_t most = 32, least_turns = 256; // so that no thread is left with a long last turn
+	const size_t run = std::clamp<size_t>(count / least_turns, 1, most);
+	parallel_for((count + run - 1) / run, work, [&](size_t turn) {
+		pool.with([&](Deriver &deriver) {
+			for (size_t i = turn * run; i < std::min(count, (turn + 1) * run); ++i) {
+				use(deriver, i);
+			}
+		});
+	});
+}
+
 } // namespace
 
 std::vector<bool> asked_about(std::span<const DeriveJob> jobs, std::span<const size_t> asking, double occlusion_distance) {
@@ -84,12 +98,10 @@ std::vector<DerivationResult> derive_all(const Program &program, std::span<const
 	Pool pool(program, options);
 	std::vector<std::shared_ptr<const Occluders>> occluders(shapes.size());
 	if (context_use(program).asks_inter() && shapes.size() > 1) {
-		parallel_for(shapes.size(), work, [&](size_t i) { pool.with([&](Deriver &deriver) { occluders[i] = deriver.occluders(shapes[i]); }); });
+		for_each_lot(shapes.size(), pool, work, [&](Deriver &deriver, size_t i) { occluders[i] = deriver.occluders(shapes[i]); });
 	}
 	std::vector<DerivationResult> results(shapes.size());
-	parallel_for(shapes.size(), work, [&](size_t i) {
-		pool.with([&](Deriver &deriver) { results[i] = deriver.derive(shapes[i], { occluders, i }); });
-	});
+	for_each_lot(shapes.size(), pool, work, [&](Deriver &deriver, size_t i) { results[i] = deriver.derive(shapes[i], { occluders, i }); });
 	return results;
 }
 

@@ -5,7 +5,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <glm/vector_relational.hpp>
 
 namespace pcg::cga {
 
@@ -48,13 +47,14 @@ void refit(Shape &shape) {
 	const glm::dvec3 b = shape.to_scope(shape.geometry->high);
 	const glm::dvec3 low = glm::min(a, b);
 	const glm::dvec3 high = glm::max(a, b);
-	const auto is_negative = glm::lessThan(shape.size, glm::dvec3(0.0));
-	const glm::dvec3 origin = glm::mix(low, high, is_negative);
-	shape.size = glm::mix(high, low, is_negative) - origin;
-	const double thin = 1e-9 * (std::abs(shape.size.x) + std::abs(shape.size.y) + std::abs(shape.size.z));
-	for (int axis = 0; axis < 3; ++axis) { // what is flat has the size 0, which i() asks for
-		shape.size[axis] = std::abs(shape.size[axis]) <= thin ? 0.0 : shape.size[axis];
-	}
+	const auto pick = [](bool is_first, double first, double second) { return is_first ? first : second; };
+	const glm::dvec3 old = shape.size;
+	const glm::dvec3 origin(pick(old.x < 0.0, high.x, low.x), pick(old.y < 0.0, high.y, low.y), pick(old.z < 0.0, high.z, low.z));
+	const glm::dvec3 far(pick(old.x < 0.0, low.x, high.x), pick(old.y < 0.0, low.y, high.y), pick(old.z < 0.0, low.z, high.z));
+	const glm::dvec3 size = far - origin;
+	const double thin = 1e-9 * (std::abs(size.x) + std::abs(size.y) + std::abs(size.z)); // what is flat has the size 0, which i() asks for
+	const auto thick = [&](double length) { return std::abs(length) <= thin ? 0.0 : length; };
+	shape.size = { thick(size.x), thick(size.y), thick(size.z) };
 	shape.geometry_offset -= origin;
 	shape.position += shape.rotation * origin;
 }

@@ -214,7 +214,7 @@ private:
 	bool begin_import(const ImportScope &scope, std::span<const Value> values);
 	Value find_target(std::string_view prefix, const Value &name);
 	Value find_word(std::string_view words, const Value &word);
-	bool check_argument(const ParamSpec &param, std::string_view name, size_t position, Value &value);
+	bool replace_argument(const ParamSpec &param, std::string_view name, size_t position, Value &value);
 	bool check_arguments(const std::vector<ParamSpec> &params, std::string_view name, const Args &args, uint32_t mask);
 	bool call_function(const Instruction &instruction, uint32_t mask, const Block *block);
 	Flow call_operation(const Instruction &instruction, uint32_t mask, const Block *block, const Block *second_block);

@@ -257,30 +257,31 @@ ValueType wanted_type(ParamKind kind) {
 	}
 }
 
+bool fits(ParamKind kind, ValueType type) {
+	const ValueType wanted = wanted_type(kind);
+	return type == wanted || (kind == ParamKind::WordOrNumber ? type == ValueType::Number || type == ValueType::Word : wanted == ValueType::Void);
+}
+
 } // namespace
 
 bool Vm::check_arguments(const std::vector<ParamSpec> &params, std::string_view name, const Args &args, uint32_t mask) {
 	for (size_t i = 0; i < args.count(); ++i) {
 		const bool is_checked = (mask >> std::min<size_t>(i, last_check_bit)) & 1;
 		Value &value = const_cast<Value &>(args[i]); // on the interpreter's own stack
-		if (is_checked && !check_argument(params[std::min(i, params.size() - 1)], name, i, value)) {
+		const ParamSpec &param = params[std::min(i, params.size() - 1)];
+		if (is_checked && !fits(param.kind, value.type) && !replace_argument(param, name, i, value)) {
 			return false;
 		}
 	}
 	return true;
 }
 
-bool Vm::check_argument(const ParamSpec &param, std::string_view name, size_t position, Value &value) {
-	const ValueType wanted = wanted_type(param.kind);
-	const bool is_word_or_number = param.kind == ParamKind::WordOrNumber;
-	const bool is_fine = is_word_or_number ? value.is_number() || value.type == ValueType::Word
-										   : wanted == ValueType::Void || value.type == wanted;
-	if (!is_fine) {
-		const ValueType type = is_word_or_number ? ValueType::Number : wanted;
-		const Value fallback = type == ValueType::Array ? Value::of(make_array({})) : default_of(type);
-		value = mismatch("type-mismatch", "argument " + std::to_string(position + 1) + " of `" + std::string(name) + "` (" + std::string(param.name) +
-						") must be " + std::string(type_name(type)) + ", this is " + std::string(type_name(value.type)), fallback);
-	}
+// False: the run has failed.
+bool Vm::replace_argument(const ParamSpec &param, std::string_view name, size_t position, Value &value) {
+	const ValueType type = param.kind == ParamKind::WordOrNumber ? ValueType::Number : wanted_type(param.kind);
+	const Value fallback = type == ValueType::Array ? Value::of(make_array({})) : default_of(type);
+	value = mismatch("type-mismatch", "argument " + std::to_string(position + 1) + " of `" + std::string(name) + "` (" + std::string(param.name) +
+					") must be " + std::string(type_name(type)) + ", this is " + std::string(type_name(value.type)), fallback);
 	return !_failed;
 }
 

@@ -173,7 +173,8 @@ TEST_CASE("a face that becomes a shape takes its corners' normals along, turned 
 	refit(shape);
 	GeometryBuilder builder;
 	const uint32_t face = 0;
-	const Shape child = face_shape(shape, *baked(shape, arena), { &face, 1 }, false, builder, arena);
+	const glm::dvec3 normal = face_normal(geometry, geometry.faces[face]);
+	const Shape child = face_shape(shape, shape.frame(), *baked(shape, arena), { &face, 1 }, normal, false, builder, arena);
 	REQUIRE(child.geometry->corners != nullptr);
 	REQUIRE(child.geometry->corners->normals != nullptr);
 	const glm::dvec3 world = child.frame().axes * child.geometry->corners->normals[3];

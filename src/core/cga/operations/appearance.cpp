@@ -48,8 +48,7 @@ Flow texture(Vm &vm, const Args &args) {
 		return Flow::Next;
 	}
 	const Text &name = *args[0].text;
-	set_texture(context, TextureUse::Color, name);
-	if (!name.view.empty() && context.texture_files.find(context, name).has_alpha) {
+	if (set_texture(context, TextureUse::Color, name).has_alpha) {
 		set_texture(context, TextureUse::Opacity, name);
 	}
 	return Flow::Next;

@@ -113,9 +113,14 @@ private:
 		return std::ranges::any_of(info.faces, [&](uint32_t face) { return matches(selector, _faces[face].component, _parent, _context.lot()); });
 	}
 
+	glm::dvec3 normal_of(uint32_t component) const {
+		const GeometryFace &face = _geometry->faces[component];
+		return _geometry->outline(face).size() >= 3 ? _components[component].component.normal : face_normal(*_geometry, face); // of edges another
+	}
+
 	Shape shape_of(std::span<const uint32_t> components, bool is_roof_edge) {
 		if (_kind == ComponentKind::Faces) {
-			return face_shape(_parent, *_geometry, components, _keeps_axes, _context.builder, _context.arena);
+			return face_shape(_parent, _scope_frame, *_geometry, components, normal_of(components[0]), _keeps_axes, _context.builder, _context.arena);
 		}
 		if (is_face_kind()) { // there is no one face that could say how to turn
 			_set.clear();
@@ -123,7 +128,7 @@ private:
 				_set.insert(_set.end(), _components[component].faces.begin(), _components[component].faces.end());
 			}
 			std::ranges::sort(_set);
-			return face_shape(_parent, *_geometry, _set, true, _context.builder, _context.arena);
+			return face_shape(_parent, _scope_frame, *_geometry, _set, {}, true, _context.builder, _context.arena);
 		}
 		_infos.clear();
 		for (const uint32_t component : components) {
@@ -223,6 +228,7 @@ private:
 	Context &_context;
 	ArenaScope _scope;
 	const Shape _parent;
+	const Frame _scope_frame = _parent.frame();
 	ComponentKind _kind;
 	bool _keeps_axes;
 	const Geometry *_geometry = nullptr;
