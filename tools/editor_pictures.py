@@ -21,6 +21,7 @@ interface/editor/display_scale = {scale}
 interface/theme/color_preset = "{preset}"
 interface/theme/follow_system_theme = false
 interface/editor/save_on_focus_loss = false
+interface/editor/single_window_mode = true
 """
 
 

@@ -83,6 +83,11 @@ func _take_people() -> void:
 	(authoring.dock.person_tab.get_node("%Ways") as CheckBox).button_pressed = true
 	await _wait(4)
 	_save("person")
+	var dialog: Window = authoring.dock.person_tab.get_node("%EntryDialog")
+	dialog.call("ask", authoring.context, {})
+	await _wait(4)
+	_save("entry")
+	dialog.hide()
 
 
 # Whose week has most ways.

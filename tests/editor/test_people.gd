@@ -172,3 +172,20 @@ func test_a_city_that_is_made_anew_is_left_without_a_warning() -> void:
 		await get_tree().process_frame
 	await frames(2)
 	check(not _citizens.is_running(), "nobody lives there any more")
+func test_an_entry_is_put_into_an_agenda_and_taken_back() -> void:
+	_dock.context.choose_person(_filtered("age>=18")[0])
+	var before: int = _dock.person_tab.get_entries().size()
+	var dialog: Node = _dock.person_tab.get_node("%EntryDialog")
+	var home: int = _citizens.get_person(_dock.context.person)["home"]
+	dialog.call("fill", _dock.context, {"kind": "stayInside", "target": home, "start": 13.0 * 3600.0, "end": 14.5 * 3600.0})
+	(dialog.get_node("%When") as OptionButton).select(1)
+	_dock.person_tab.insert(dialog.call("make_task"))
+	await frames(2)
+	var inserted: Array = _dock.person_tab.get_entries().filter(func(entry: Dictionary) -> bool: return entry["start"] == 13.0 * 3600.0)
+	check_equal(inserted.size(), 1, "it stands in the agenda")
+	check_equal(inserted[0]["end"], 14.5 * 3600.0, "until half past two")
+	await undo(_citizens)
+	check_equal(_dock.person_tab.get_entries().size(), before, "and is gone again")
+	check(_dock.person_tab.get_entries().all(func(entry: Dictionary) -> bool: return entry["start"] != 13.0 * 3600.0), "altogether")
+	await redo(_citizens)
+	check(_dock.person_tab.get_entries().any(func(entry: Dictionary) -> bool: return entry["start"] == 13.0 * 3600.0), "and back")

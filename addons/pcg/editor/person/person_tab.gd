@@ -11,14 +11,18 @@ const TaskColors := preload("res://addons/pcg/editor/person/task_colors.gd")
 const PathOverlay := preload("res://addons/pcg/editor/person/path_overlay.gd")
 const LifeRecorder := preload("res://addons/pcg/editor/person/life_recorder.gd")
 const ADULT_AGE := 18
+const AgendaHistory := preload("res://addons/pcg/editor/person/agenda_history.gd")
+const EntryDialog := preload("res://addons/pcg/editor/person/entry_dialog.gd")
 const PICK_DISTANCE := 24.0 ## pixels at 100 %
 const PERSON_MIDDLE := Vector3(0.0, 0.9, 0.0) ## metres above where somebody stands
 
 var context: SceneContext
 var overlay := PathOverlay.new()
 var recorder := LifeRecorder.new()
+var history: AgendaHistory
 var _entries: Array[Dictionary] = []
 
+@onready var _dialog: EntryDialog = %EntryDialog
 @onready var _list: Tree = %Entries
 @onready var _week: WeekTimeline = %Week
 @onready var _household: OptionButton = %Household
@@ -26,6 +30,8 @@ var _entries: Array[Dictionary] = []
 
 func open(of: SceneContext) -> void:
 	context = of
+	history = AgendaHistory.new(context)
+	history.agenda_changed.connect(refresh)
 	context.changed.connect(refresh)
 	context.person_chosen.connect(func(_person: int) -> void: refresh())
 	refresh()
@@ -43,6 +49,9 @@ func _ready() -> void:
 	_list.item_activated.connect(func() -> void: open_rule(_list.get_selected().get_metadata(0)))
 	_week.entry_clicked.connect(_on_entry_clicked)
 	_household.item_selected.connect(func(index: int) -> void: context.choose_person(_household.get_item_id(index)))
+	(%Add as Button).pressed.connect(func() -> void: _dialog.ask(context, {}))
+	(%Change as Button).pressed.connect(_change_selected)
+	_dialog.entry_made.connect(insert)
 	(%Ways as CheckBox).toggled.connect(func(_is_on: bool) -> void: show_ways())
 	_take_theme()
 
@@ -156,6 +165,16 @@ func open_rule(index: int) -> void:
 	var entry: Dictionary = _entries[index]
 	if not str(entry.get("file", "")).is_empty():
 		place_wanted.emit(entry["file"], entry["line"], 1)
+
+
+func _change_selected() -> void:
+	var item: TreeItem = _list.get_selected()
+	_dialog.ask(context, _entries[item.get_metadata(0)] if item else {})
+
+
+## Puts an entry, as CitizenManager.insert_task() wants it, into the shown person's agenda; one step to undo.
+func insert(task: Dictionary) -> void:
+	history.insert(context.person, task)
 
 
 func _on_entry_clicked(index: int, is_double: bool) -> void:
