@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/agenda/operations/constant_checks.h"
 #include "core/lang/diagnostic_at.h"
 
 namespace pcg::agenda {
@@ -35,26 +36,14 @@ int32_t to_ms(double seconds) {
 }
 
 // Warns of times that cannot hold; an entry of more than a day is cut. False: nothing is to be inserted.
-bool check_times(Vm &vm, std::string_view operation, double start, double &end) {
-	const auto name = [operation] { return "'" + std::string(operation) + "'"; };
-	if (!std::isfinite(start) || !std::isfinite(end)) {
-		vm.warn("time-not-finite", name() + " has a time that is not finite, so nothing is inserted",
-				"the distance to a building that cannot be reached is infinite: test it with isValid(..) or a comparison first");
-		return false;
+bool are_times_good(Vm &vm, std::string_view operation, double start, double &end) {
+	std::optional<CallProblem> problem = times_problem(operation, start, end);
+	const bool is_cut = problem && problem->id == "longer-than-a-day";
+	end = is_cut ? start + day_seconds : end;
+	if (problem) {
+		vm.warn(problem->id, std::move(problem->message), std::move(problem->hint));
 	}
-	if (std::abs(start) > week_seconds) {
-		vm.warn("time-out-of-range", name() + " starts more than a week away, so nothing is inserted", "times are seconds from 0h of the day");
-		return false;
-	}
-	if (start >= end) {
-		vm.warn("no-length", name() + " would end before it starts, so nothing is inserted", "the first time has to be before the second");
-		return false;
-	}
-	if (end - start > day_seconds) {
-		vm.warn("longer-than-a-day", name() + " lasts longer than 24 h and is cut there", "write one entry for each day");
-		end = start + day_seconds;
-	}
-	return true;
+	return !problem || is_cut;
 }
 
 } // namespace
@@ -87,7 +76,7 @@ Flow GenerationContext::insert(Vm &vm, std::string_view operation, TaskKind kind
 		return Flow::Stop;
 	}
 	const bool is_usual = start < end && end - start <= day_seconds && start >= -week_seconds && end <= week_seconds;
-	if (!is_usual && !check_times(vm, operation, start, end)) {
+	if (!is_usual && !are_times_good(vm, operation, start, end)) {
 		return Flow::Next;
 	}
 	Task task;

@@ -191,6 +191,7 @@ void Compiler::operation_call(int operation, const Command &command) {
 	const uint32_t mask = arguments(spec.params, spec.name, command.arguments);
 	const int effect = -int(command.arguments.count);
 	_uses.push_back({ _current_rule, uint32_t(operation), place(command.offset) });
+	check_constants(spec, command.offset);
 	if (spec.block == BlockKind::None) {
 		if (command.block != no_node) {
 			complain("unexpected-block", _scope.ast->blocks[command.block].offset, "`" + std::string(spec.name) + "` takes no { }");
@@ -207,6 +208,16 @@ void Compiler::operation_call(int operation, const Command &command) {
 	emit(OpCode::CallBlock, command.offset, effect, first, uint32_t(operation), command.arguments.count);
 	emit(OpCode::Data, command.offset, 0, mask);
 	emit(OpCode::Data, command.offset, 0, second);
+}
+
+// What cannot hold whatever happens.
+void Compiler::check_constants(const OperationSpec &spec, uint32_t offset) {
+	if (spec.check == nullptr || _constant_arguments.empty()) {
+		return;
+	}
+	if (std::optional<CallProblem> problem = spec.check(spec.name, _constant_arguments)) {
+		warn(problem->id, offset, std::move(problem->message), std::move(problem->hint));
+	}
 }
 
 void Compiler::unknown_command(const Command &command) {

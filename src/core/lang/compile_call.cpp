@@ -110,6 +110,8 @@ void Compiler::wrong_count(std::string_view name, NodeRange list, uint32_t offse
 uint32_t Compiler::arguments(const std::vector<ParamSpec> &params, std::string_view name, NodeRange list) {
 	uint32_t mask = 0;
 	const auto values = _scope.ast->list(list);
+	std::vector<Value> constants(values.size()); // calls within the arguments have their own
+	_constant_arguments.clear();
 	if (is_broken(list)) { // which form was meant is not known; the mistake in the list has been told
 		for (uint32_t id : values) {
 			emit_constant(Value(), _scope.ast->exprs[id].offset);
@@ -118,10 +120,14 @@ uint32_t Compiler::arguments(const std::vector<ParamSpec> &params, std::string_v
 	}
 	for (size_t i = 0; i < values.size(); ++i) {
 		const ParamSpec &param = params[std::min(i, params.size() - 1)];
-		if (argument(param, name, i, values[i])) {
+		const uint32_t begin = here();
+		const bool needs_check = argument(param, name, i, values[i]);
+		ends_in_constant(begin, constants[i]);
+		if (needs_check) {
 			mask |= 1u << std::min<size_t>(i, last_check_bit) | (param.kind == ParamKind::Number ? 0 : check_mask_others);
 		}
 	}
+	_constant_arguments = std::move(constants);
 	return mask;
 }
 

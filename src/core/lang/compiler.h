@@ -168,6 +168,7 @@ private:
 	void warn_unreachable(bool is_decided, uint32_t offset);
 	void warn_indented(uint32_t first_case, uint32_t offset);
 	bool is_always_true(const Value &condition, uint32_t offset); // warns of one that is always false
+	void check_constants(const OperationSpec &spec, uint32_t offset);
 	Value constant_of(Chunk chunk) const; // Void if it is more than a constant
 	void warn_unused_and_phases();
 	void warn_phases(const std::vector<bool> &generation, const std::vector<bool> &simulation);
@@ -199,6 +200,7 @@ private:
 		SourcePlace place;
 	};
 	uint32_t _current_rule = no_node;
+	std::vector<Value> _constant_arguments; // of the call whose arguments were compiled last; Void what is not known
 	std::vector<Edge> _edges;
 	std::vector<OperationUse> _uses;
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -80,6 +81,16 @@ enum class BlockKind : uint8_t {
 // When an operation means something (PCG language, sections 5 and 6). CGA has one phase only.
 enum class Phase : uint8_t { Generation = 1, Simulation = 2, Both = 3 };
 
+// What is wrong with a call, as a diagnostic says it.
+struct CallProblem {
+	std::string_view id;
+	std::string message;
+	std::string hint;
+};
+
+// Looks at the arguments of a call that are known when it is compiled; the others are Void. What it finds is a warning.
+using ConstantCheck = std::optional<CallProblem> (*)(std::string_view operation, std::span<const Value> constants);
+
 struct OperationSpec {
 	std::string_view name;
 	std::vector<ParamSpec> params;
@@ -88,6 +99,7 @@ struct OperationSpec {
 	std::string_view help;
 	Phase phase = Phase::Generation;
 	const void *user = nullptr;
+	ConstantCheck check = nullptr;
 };
 
 // Read-only built-in: `age`, `scope.sx`.

@@ -1,5 +1,9 @@
 #include "core/sim/dialect.h"
 
+#include <cmath>
+#include <optional>
+#include <string>
+
 #include "core/agenda/dialect.h"
 #include "core/sim/behavior.h"
 
@@ -49,14 +53,22 @@ Flow op_interact(Vm &vm, const Args &args) {
 	return behavior ? behavior->interact(args.number(0), action) : Flow::Next;
 }
 
+std::optional<CallProblem> check_seconds(std::string_view operation, std::span<const Value> constants) {
+	if (!constants[0].is_number() || (constants[0].number > 0.0 && std::isfinite(constants[0].number))) {
+		return std::nullopt;
+	}
+	return CallProblem{ "no-length", "'" + std::string(operation) + "' does not wait: the time is not above 0", "it is a span in seconds, as in 10m" };
+}
+
 void add_operation(Dialect &dialect, std::string_view name, std::vector<ParamSpec> params, OperationHandler handler,
-		std::string_view help) {
+		std::string_view help, ConstantCheck check = nullptr) {
 	OperationSpec spec;
 	spec.name = name;
 	spec.params = std::move(params);
 	spec.handler = handler;
 	spec.help = help;
 	spec.phase = Phase::Simulation;
+	spec.check = check;
 	dialect.operations.push_back(std::move(spec));
 }
 
@@ -66,7 +78,8 @@ void add_simulation_operations(Dialect &dialect) {
 	const ParamSpec object{ .name = "object", .kind = ParamKind::Number };
 	const ParamSpec type{ .name = "type", .kind = ParamKind::Text };
 	const ParamSpec action{ .name = "action", .kind = ParamKind::Text, .is_optional = true };
-	add_operation(dialect, "wait", { seconds }, op_wait, "Stands idle for that long; inside a building it stays inside.");
+	add_operation(dialect, "wait", { seconds }, op_wait, "Stands idle for that long; inside a building it stays inside.",
+			check_seconds);
 	add_operation(dialect, "waitUntilNextTask", {}, op_wait_until_next_task,
 			"Idle until the time of this rule is over.");
 	add_operation(dialect, "stayInside", { seconds }, op_stay_inside,

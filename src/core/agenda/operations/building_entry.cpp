@@ -1,6 +1,8 @@
 #include "core/agenda/operations/building_entry.h"
 
-#include <string>
+#include <utility>
+
+#include "core/agenda/operations/constant_checks.h"
 
 namespace pcg::agenda {
 
@@ -16,8 +18,8 @@ Flow insert_building_entry(Vm &vm, const Args &args, std::string_view operation,
 	if (!require_focus(vm, operation)) {
 		return Flow::Stop;
 	}
-	vm.warn("no-building", "'" + std::string(operation) + "' is given no building, so nothing is inserted",
-			"a building that is not found is -1: test it with isValid(..) first");
+	CallProblem problem = no_building(operation);
+	vm.warn(problem.id, std::move(problem.message), std::move(problem.hint));
 	return Flow::Next;
 }
 

@@ -69,6 +69,16 @@ std::optional<DayMask> days_mask(std::string_view text, std::string_view &culpri
 	}
 }
 
+CallProblem unknown_day(std::string_view culprit) {
+	return { "unknown-day", "'" + std::string(culprit) + "' is no day", "days are mon tue wed thu fri sat sun, as in \"mon-fri\" or \"sat,sun\"" };
+}
+
+std::optional<CallProblem> check_days(std::string_view, std::span<const Value> constants) {
+	std::string_view culprit;
+	const bool is_known = constants[0].is_text();
+	return is_known && !days_mask(constants[0].text->view, culprit) ? std::optional(unknown_day(culprit)) : std::nullopt;
+}
+
 Flow days(Vm &vm, const Args &args) {
 	GenerationContext *context = writing_context(vm);
 	if (context == nullptr) {
@@ -77,7 +87,8 @@ Flow days(Vm &vm, const Args &args) {
 	std::string_view culprit;
 	const std::optional<DayMask> mask = days_mask(args[0].text->view, culprit);
 	if (!mask) {
-		vm.fail("unknown-day", "'" + std::string(culprit) + "' is no day", "days are mon tue wed thu fri sat sun, as in \"mon-fri\" or \"sat,sun\"");
+		CallProblem problem = unknown_day(culprit);
+		vm.fail(problem.id, std::move(problem.message), std::move(problem.hint));
 		return Flow::Stop;
 	}
 	const DayMask outer = context->days();
@@ -100,7 +111,8 @@ Flow days(Vm &vm, const Args &args) {
 
 void add_days(Dialect &dialect) {
 	dialect.operations.push_back({ "days", { { "days", ParamKind::Text } }, BlockKind::Bodies, days,
-			"days(\"mon-fri\") { actions }: entries written inside apply to those days only; outside of it to all seven." });
+			"days(\"mon-fri\") { actions }: entries written inside apply to those days only; outside of it to all seven.", Phase::Generation,
+			nullptr, check_days });
 }
 
 } // namespace pcg::agenda

@@ -1,4 +1,5 @@
 #include "core/agenda/generation_context.h"
+#include "core/agenda/operations/constant_checks.h"
 #include "core/agenda/operations/operations.h"
 
 namespace pcg::agenda {
@@ -17,7 +18,8 @@ Flow floating_slot(Vm &vm, const Args &args) {
 
 void add_floating_slot(Dialect &dialect) {
 	dialect.operations.push_back({ "floatingSlot", { { "t0", ParamKind::Number }, { "t1", ParamKind::Number } }, BlockKind::None, floating_slot,
-			"Free time of the focused person from t0 to t1 (seconds of the day), filled from its floating tasks." });
+			"Free time of the focused person from t0 to t1 (seconds of the day), filled from its floating tasks.",
+			Phase::Generation, nullptr, check_times });
 }
 
 } // namespace pcg::agenda

@@ -1,13 +1,12 @@
-#include <cmath>
+#include <utility>
 
 #include "core/agenda/generation_context.h"
+#include "core/agenda/operations/constant_checks.h"
 #include "core/agenda/operations/operations.h"
 
 namespace pcg::agenda {
 
 namespace {
-
-constexpr double longest = 86'400.0;
 
 Flow floating_task(Vm &vm, const Args &args) {
 	GenerationContext *context = writing_context(vm);
@@ -19,9 +18,8 @@ Flow floating_task(Vm &vm, const Args &args) {
 	}
 	const double duration = args.number(0);
 	const double priority = args.number_or(2, 0.0);
-	if (!(duration > 0.0) || duration > longest || !std::isfinite(priority)) {
-		vm.warn("bad-duration", "'floatingTask' needs a duration above 0 and up to 24 h and a finite priority, so nothing is added",
-				"the duration is the first argument, in seconds: floatingTask(20m, Rule)");
+	if (std::optional<CallProblem> problem = duration_problem(duration, priority)) {
+		vm.warn(problem->id, std::move(problem->message), std::move(problem->hint));
 		return Flow::Next;
 	}
 	FloatingTask task;
@@ -40,7 +38,8 @@ void add_floating_task(Dialect &dialect) {
 			{ { "duration", ParamKind::Number }, { "rule", ParamKind::Rule }, { "priority", ParamKind::Number, {}, true } }, BlockKind::None,
 			floating_task,
 			"Adds a task to the pool of the focused person: the rule, run for at most the duration (seconds) when a floating slot has room for "
-			"it. The largest priority goes first; it is 0 unless told." });
+			"it. The largest priority goes first; it is 0 unless told.",
+			Phase::Generation, nullptr, check_duration });
 }
 
 } // namespace pcg::agenda

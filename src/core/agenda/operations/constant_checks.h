@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "core/lang/dialect.h"
+
+// What is wrong with an entry whatever happens: said when rules are loaded where the values are known by then, else when they run.
+namespace pcg::agenda {
+
+// Of start and end in seconds of the day. An entry of more than a day is cut, with all others nothing is inserted.
+std::optional<CallProblem> times_problem(std::string_view operation, double start, double end);
+std::optional<CallProblem> duration_problem(double duration, double priority);
+CallProblem no_building(std::string_view operation);
+
+// For OperationSpec::check.
+std::optional<CallProblem> check_times(std::string_view operation, std::span<const Value> constants); // (t0, t1, ..)
+std::optional<CallProblem> check_building_entry(std::string_view operation, std::span<const Value> constants); // (t0, t1, building)
+std::optional<CallProblem> check_duration(std::string_view operation, std::span<const Value> constants); // (duration, rule [, priority])
+
+} // namespace pcg::agenda
