@@ -17,6 +17,7 @@ namespace {
 
 constexpr double tile_size = 40.0; // metres, about: overlays of few buildings are quick
 constexpr double farthest = 50'000.0; // metres
+constexpr double most_ground = 200e6; // square metres: a box of 14 by 14 km has 125,000 tiles
 constexpr double least_area = 1.0, worst_overlap = 1.0; // square metres
 constexpr double beside = 0.1; // metres from a side to where it is asked what lies there
 
@@ -59,6 +60,9 @@ public:
 		for (const Footprint &footprint : _footprints) {
 			check(footprint);
 		}
+		if (_diagnostics.error_count() == before) {
+			check_extent();
+		}
 		return _diagnostics.error_count() == before && !_footprints.empty();
 	}
 
@@ -92,6 +96,21 @@ private:
 			error(footprint, "its outline has less than 1 square metre", "leave it out, or draw it counter-clockwise with three corners or more");
 		} else if (is_self_intersecting(loop)) {
 			error(footprint, "its outline crosses itself", "draw it so that no two of its sides meet between their ends");
+		}
+	}
+
+	void check_extent() {
+		Box all;
+		for (const Footprint &footprint : _footprints) {
+			const Box box = box_of(footprint.outline);
+			all.add(box.min);
+			all.add(box.max);
+		}
+		const glm::dvec2 size = all.max - all.min;
+		if (size.x * size.y > most_ground) {
+			_diagnostics.error("too-large", "the footprints spread over " + std::to_string(std::lround(size.x / 1000.0)) + " by " +
+							std::to_string(std::lround(size.y / 1000.0)) + " km, and one city has at most 200 square kilometres",
+					"cut the map into smaller ones, or look for a footprint that lies far away by mistake");
 		}
 	}
 

@@ -104,6 +104,7 @@ TEST_CASE("footprints that overlap are warned of by name, and what cannot be bui
 	CHECK(refused({}).find("no footprints") != std::string::npos);
 	CHECK(refused({ box(0, 0, 0.5, 0.5) }) == "feature 0: its outline has less than 1 square metre");
 	CHECK(refused({ box(0, 0, 1e6, 10) }).find("50 km") != std::string::npos);
+	CHECK(refused({ box(0, 0, 10, 10), box(20'000, 15'000, 20'010, 15'010) }).find("20 by 15 km") != std::string::npos);
 	Footprint bow = box(0, 0, 10, 10);
 	bow.outline = { { 0, 0 }, { 20, 0 }, { 20, 20 }, { 10, -5 } };
 	CHECK(refused({ bow }).find("crosses itself") != std::string::npos);

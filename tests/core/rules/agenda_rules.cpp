@@ -68,7 +68,10 @@ void read_expectation(RuleTest &test, const std::string &text, size_t line) {
 	std::string first, second;
 	words >> first >> second;
 	if (first == "error" || first == "warning") {
-		test.messages.push_back(std::to_string(line) + " " + first + " " + second);
+		std::string at;
+		size_t other_line = line;
+		words >> at >> other_line; // "at 9:2"
+		test.messages.push_back(std::to_string(at == "at" ? other_line : line) + " " + first + " " + second);
 		return;
 	}
 	const size_t colon = text.find(':');

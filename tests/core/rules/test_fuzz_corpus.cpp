@@ -4,8 +4,10 @@
 #include <filesystem>
 
 #include "core/cga/dialect.h"
+#include "core/city/footprint_layout.h"
 #include "core/io/atomic_file.h"
 #include "core/io/city_json.h"
+#include "core/io/geojson.h"
 #include "core/io/household_csv.h"
 #include "core/io/population_csv.h"
 #include "core/sim/dialect.h"
@@ -90,4 +92,19 @@ TEST_CASE("tables of the fuzz corpus are read or refused") {
 				CHECK(parse_city_json(rest, path, diagnostics).has_value() != diagnostics.has_errors());
 		}
 	}
+}
+
+TEST_CASE("maps of the fuzz corpus are laid out or refused") {
+	size_t count = 0;
+	for (const std::string &path : files_below("fuzz/corpus/geojson")) {
+		INFO(path);
+		const Result<std::string> text = read_file(path);
+		REQUIRE(text.is_ok());
+		Diagnostics diagnostics;
+		const auto footprints = parse_geojson(*text, path, diagnostics);
+		const bool is_laid_out = footprints && layout_of_footprints(*footprints, LayoutParameters(), diagnostics).has_value();
+		CHECK(is_laid_out != diagnostics.has_errors());
+		++count;
+	}
+	CHECK(count > 1);
 }
