@@ -4,13 +4,15 @@ extends SceneTree
 ##     godot --headless --fixed-fps 60 --path . --script bench/agents_bench.gd [-- PERSONS]
 ##
 ## 300 lots, 2,000 persons on a weekday, at four in the afternoon, when school and work end. Everybody outdoors has a scene; the clock runs in real
-## time. Prints one JSON object a figure, as the programs of this folder do. What the engine spends on avoidance is told separately; nothing is drawn.
+## time. Prints one JSON object a figure, as the programs of this folder do. What the engine spends on avoidance is told separately, and so is drawing where
+## there is a screen (without --headless).
 
 const DemoCity := preload("res://demo/demo_city.gd")
 const FRAME := 1.0 / 60.0 ## seconds
 const BEGIN := 15.0 * 3600.0 + 59.0 * 60.0 + 45.0
 const WARM_UP := 1200 ## frames, until all have left and have their scenes
 const MEASURED := 1800 ## frames
+const DRAWN := 30 ## frames of them, where there is a screen: enough to tell, since what is drawn hardly changes
 const PERSONS := 2000 ## or as the first argument says
 const LOTS_A_PERSON := 0.15
 const ALL := 100000 ## scenes
@@ -73,11 +75,17 @@ func _measure(what: String, has_scenes: bool) -> void:
 	var avoidance := 0.0
 	var outside := 0
 	var scenes := 0
+	var drawing := 0.0
 	for frame: int in WARM_UP + MEASURED:
+		RenderingServer.render_loop_enabled = frame >= WARM_UP and frame < WARM_UP + DRAWN
 		var begin: int = Time.get_ticks_usec()
 		_citizens.advance(FRAME)
 		var spent: float = float(Time.get_ticks_usec() - begin) / 1000.0
 		await process_frame
+		if RenderingServer.render_loop_enabled:
+			begin = Time.get_ticks_usec()
+			RenderingServer.force_draw()
+			drawing += float(Time.get_ticks_usec() - begin) / 1000.0
 		if frame >= WARM_UP:
 			milliseconds.append(spent)
 			avoidance += Performance.get_monitor(Performance.TIME_NAVIGATION_PROCESS) * 1000.0
@@ -91,6 +99,8 @@ func _measure(what: String, has_scenes: bool) -> void:
 	_tell("engine_%s_ms_99th_percentile" % what, milliseconds[floori(MEASURED * 0.99)], "ms", LIMIT_PERCENTILE)
 	_tell("engine_%s_ms_slowest" % what, milliseconds[MEASURED - 1], "ms", 0.0)
 	_tell("engine_%s_outdoors" % what, float(outside) / MEASURED, "persons", 0.0)
+	if DisplayServer.get_name() != "headless":
+		_tell("engine_%s_drawing_ms_a_frame" % what, drawing / DRAWN, "ms", 0.0)
 	if has_scenes:
 		_tell("engine_%s_scenes" % what, float(scenes) / MEASURED, "scenes", 0.0)
 		_tell("engine_%s_navigation_server_ms_a_frame" % what, avoidance / MEASURED, "ms", 0.0)

@@ -50,7 +50,7 @@ def count(command, *options):
 
 def agenda_instructions(program, persons=20000, peer=7000):
     """What one agenda costs."""
-    instructions, made = count([program, str(persons)], "--toggle-collect=pcg::generate_agendas*")
+    instructions, made = count([program, str(persons)], "--toggle-collect=pcg::generate_agendas(*")
     value = round(instructions / made)
     return {"name": "agenda.instructions_per_person", "value": value, "unit": "instructions", "peer": peer, "ratio": round(peer / value, 3)}
 
