@@ -13,6 +13,7 @@
 #include <memory>
 #include <vector>
 
+#include "bench/figure.h"
 #include "core/agenda/agenda_generator.h"
 #include "core/io/household_csv.h"
 #include "core/io/rule_loader.h"
@@ -81,11 +82,6 @@ private:
 // Processor time of the one thread, so that other work on the machine does not count.
 double seconds_since(std::clock_t start) { return double(std::clock() - start) / double(CLOCKS_PER_SEC); }
 
-void print_figure(const char *name, double value, const char *unit, double peer, bool is_more_better) {
-	std::printf("{\"name\": \"%s\", \"value\": %.4g, \"unit\": \"%s\", \"peer\": %.4g, \"ratio\": %.3g}\n", name, value, unit, peer,
-			is_more_better ? value / peer : peer / value);
-}
-
 double wall_seconds(const std::function<void()> &work) {
 	const auto start = std::chrono::steady_clock::now();
 	work();
@@ -150,10 +146,10 @@ int main(int count, char **arguments) {
 	}
 	const Times times = measure({}, generate);
 	std::fputs(to_text(diagnostics).c_str(), stderr);
-	print_figure("agenda.generated_per_second", persons / times.processor, "agendas/s/core", luajit_agendas_per_second, true);
-	print_figure("agenda.two_threads", times.one_thread / times.two_threads, "x", 2.0, true);
-	print_figure("agenda.distances_learnt", learning_seconds, "s", 1.6, false);
-	print_figure("agenda.bytes_per_person", bytes_of(population, agendas), "B", bar_bytes_per_person, false);
-	print_figure("population.drawn_per_second", persons / population_seconds, "persons/s/core", luajit_agendas_per_second, true);
+	bench::print("agenda.generated_per_second", persons / times.processor, "agendas/s/core", luajit_agendas_per_second);
+	bench::print("agenda.two_threads", times.one_thread / times.two_threads, "x", 2.0);
+	bench::print("agenda.distances_learnt", learning_seconds, "s", 1.6);
+	bench::print("agenda.bytes_per_person", bytes_of(population, agendas), "B", bar_bytes_per_person);
+	bench::print("population.drawn_per_second", persons / population_seconds, "persons/s/core", luajit_agendas_per_second);
 	return 0;
 }

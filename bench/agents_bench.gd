@@ -8,6 +8,7 @@ extends SceneTree
 ## there is a screen (without --headless).
 
 const DemoCity := preload("res://demo/demo_city.gd")
+const Figure := preload("res://bench/figure.gd")
 const FRAME := 1.0 / 60.0 ## seconds
 const BEGIN := 15.0 * 3600.0 + 59.0 * 60.0 + 45.0
 const WARM_UP := 1200 ## frames, until all have left and have their scenes
@@ -95,16 +96,12 @@ func _measure(what: String, has_scenes: bool) -> void:
 	var sum := 0.0
 	for one: float in milliseconds:
 		sum += one
-	_tell("engine_%s_ms_a_frame" % what, sum / MEASURED, "ms", LIMIT_AVERAGE)
-	_tell("engine_%s_ms_99th_percentile" % what, milliseconds[floori(MEASURED * 0.99)], "ms", LIMIT_PERCENTILE)
-	_tell("engine_%s_ms_slowest" % what, milliseconds[MEASURED - 1], "ms", 0.0)
-	_tell("engine_%s_outdoors" % what, float(outside) / MEASURED, "persons", 0.0)
+	Figure.tell("engine_%s_ms_a_frame" % what, sum / MEASURED, "ms", LIMIT_AVERAGE)
+	Figure.tell("engine_%s_ms_99th_percentile" % what, milliseconds[floori(MEASURED * 0.99)], "ms", LIMIT_PERCENTILE)
+	Figure.tell("engine_%s_ms_slowest" % what, milliseconds[MEASURED - 1], "ms")
+	Figure.tell("engine_%s_outdoors" % what, float(outside) / MEASURED, "persons")
 	if DisplayServer.get_name() != "headless":
-		_tell("engine_%s_drawing_ms_a_frame" % what, drawing / DRAWN, "ms", 0.0)
+		Figure.tell("engine_%s_drawing_ms_a_frame" % what, drawing / DRAWN, "ms")
 	if has_scenes:
-		_tell("engine_%s_scenes" % what, float(scenes) / MEASURED, "scenes", 0.0)
-		_tell("engine_%s_navigation_server_ms_a_frame" % what, avoidance / MEASURED, "ms", 0.0)
-
-
-func _tell(name: String, value: float, unit: String, peer: float) -> void:
-	print(JSON.stringify({"name": name, "value": snappedf(value, 0.001), "unit": unit, "peer": peer, "ratio": snappedf(value / peer, 0.001) if peer > 0.0 else 0.0}))
+		Figure.tell("engine_%s_scenes" % what, float(scenes) / MEASURED, "scenes")
+		Figure.tell("engine_%s_navigation_server_ms_a_frame" % what, avoidance / MEASURED, "ms")

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/figure.h"
 #include "core/cga/derivation.h"
 #include "core/cga/dialect.h"
 #include "core/io/file_assets.h"
@@ -96,11 +97,6 @@ inline cga::DeriveOptions options() {
 	cga::DeriveOptions result;
 	result.assets = &assets;
 	return result;
-}
-
-inline void print(const std::string &name, double value, const char *unit, double peer) {
-	std::printf("{\"name\": \"%s\", \"value\": %.3f, \"unit\": \"%s\", \"peer\": %.1f, \"ratio\": %.3f}\n", name.c_str(), value, unit, peer,
-			peer > 0.0 ? value / peer : 0.0);
 }
 
 inline std::shared_ptr<const Program> compiled(const std::string &text) {

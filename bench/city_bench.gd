@@ -6,6 +6,7 @@ extends SceneTree
 ## 300 lots, then LOTS (5,000 by default; 0: none). Prints one JSON object a figure, as the programs of this folder do.
 
 const DemoCity := preload("res://demo/demo_city.gd")
+const Figure := preload("res://bench/figure.gd")
 const LIMIT_SECONDS := 3.0
 const LIMIT_HOLD := 8.0 ## ms
 const LIMIT_EDIT := 200.0 ## ms
@@ -28,7 +29,7 @@ func _run() -> void:
 	if lots > 0:
 		var before: int = OS.get_static_memory_usage()
 		city = await _generate(lots, str(lots), 0.0)
-		_print("city_memory_%d" % lots, (OS.get_static_memory_usage() - before) / 1e6, "MB in the engine's memory", 0.0)
+		Figure.tell("city_memory_%d" % lots, (OS.get_static_memory_usage() - before) / 1e6, "MB in the engine's memory")
 		city.free()
 		await process_frame
 	quit(0)
@@ -41,11 +42,11 @@ func _generate(lots: int, name: String, limit: float) -> PCGCity:
 	city.generate()
 	await city.city_generated
 	await process_frame
-	_print("city_generate_%s" % name, (Time.get_ticks_usec() - begin) / 1e6, "s", limit)
+	Figure.tell("city_generate_%s" % name, (Time.get_ticks_usec() - begin) / 1e6, "s", limit)
 	var made: Dictionary = city.get_statistics()
 	for stage: String in made["seconds"]:
-		_print("city_generate_%s_%s" % [name, stage], made["seconds"][stage], "s", 0.0)
-	_print("city_longest_hold_%s" % name, made["longest_hold"] * 1e3, "ms", LIMIT_HOLD)
+		Figure.tell("city_generate_%s_%s" % [name, stage], made["seconds"][stage], "s")
+	Figure.tell("city_longest_hold_%s" % name, made["longest_hold"] * 1e3, "ms", LIMIT_HOLD)
 	return city
 
 
@@ -55,7 +56,7 @@ func _edit(city: PCGCity) -> void:
 	var begin: int = Time.get_ticks_usec()
 	lot.queue_free()
 	await city.navigation_updated
-	_print("city_edit", (Time.get_ticks_usec() - begin) / 1e3, "ms", LIMIT_EDIT)
+	Figure.tell("city_edit", (Time.get_ticks_usec() - begin) / 1e3, "ms", LIMIT_EDIT)
 
 
 func _walk(city: PCGCity) -> void:
@@ -83,10 +84,5 @@ func _walk(city: PCGCity) -> void:
 		printerr("city_bench: the engine's server finds %d of %d ways" % [found, PAIRS])
 		quit(1)
 		return
-	_print("city_path", ours, "us", theirs)
-	_print("city_path_faster", theirs / ours, "times the engine's", LIMIT_FASTER)
-
-
-func _print(name: String, value: float, unit: String, peer: float) -> void:
-	print(JSON.stringify({"name": name, "value": snappedf(value, 0.001), "unit": unit, "peer": snappedf(peer, 0.001),
-			"ratio": snappedf(value / peer, 0.001) if peer > 0.0 else 0.0}))
+	Figure.tell("city_path", ours, "us", theirs)
+	Figure.tell("city_path_faster", theirs / ours, "times the engine's", LIMIT_FASTER)

@@ -3,37 +3,22 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
-#include <new>
 #include <string>
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "bench/allocation_count.h"
+#include "bench/figure.h"
 #include "core/base/random.h"
 #include "core/figure/crowd.h"
 
 using namespace pcg;
-
-static uint64_t allocations = 0;
-
-void *operator new(size_t size) {
-	++allocations;
-	void *memory = std::malloc(size);
-	return memory ? memory : (std::abort(), nullptr);
-}
-void operator delete(void *memory) noexcept { std::free(memory); }
-void operator delete(void *memory, size_t) noexcept { std::free(memory); }
 
 namespace {
 
 constexpr float field = 500.0f; // metres
 constexpr int frames = 600;
 constexpr int first_frames = 300; // until lists have grown
-
-void print(const std::string &name, double value, const char *unit) {
-	std::printf("{\"name\":\"%s\",\"value\":%.6g,\"unit\":\"%s\",\"peer\":null,\"ratio\":null}\n", name.c_str(), value, unit);
-}
 
 Population make_people(uint32_t count) {
 	Population population;
@@ -69,12 +54,12 @@ void measure(uint32_t count, const std::string &name) {
 		}
 	};
 	live(0, first_frames);
-	const uint64_t before = allocations;
+	const uint64_t before = bench::heap.allocations;
 	const auto start = std::chrono::steady_clock::now();
 	live(first_frames, first_frames + frames);
 	const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-	print(name + "_frame", seconds / frames * 1000.0, "ms");
-	print(name + "_allocations_per_frame", double(allocations - before) / frames, "allocations");
+	bench::print(name + "_frame", seconds / frames * 1000.0, "ms");
+	bench::print(name + "_allocations_per_frame", double(bench::heap.allocations - before) / frames, "allocations");
 }
 
 } // namespace

@@ -5,12 +5,14 @@
 #include <ctime>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include <recastnavigation/DetourNavMesh.h>
 #include <recastnavigation/DetourNavMeshBuilder.h>
 #include <recastnavigation/DetourNavMeshQuery.h>
 #include <recastnavigation/Recast.h>
 
+#include "bench/figure.h"
 #include "bench/house_rules.h"
 #include "core/base/random.h"
 #include "core/cga/dialect.h"
@@ -196,10 +198,8 @@ bool compare(LayoutKind kind, const char *name) {
 		our_metres += have_both ? ours.lengths[i] : 0.0;
 		their_metres += have_both ? theirs.lengths[i] : 0.0;
 	}
-	std::printf("{\"name\": \"path query, %s of 300 lots\", \"value\": %.4g, \"unit\": \"us\", \"peer\": \"Detour in the same run\", \"ratio\": %.3g}\n",
-			name, ours.seconds / queries * 1e6, ours.seconds / theirs.seconds);
-	std::printf("{\"name\": \"length of those paths, %s\", \"value\": %.4g, \"unit\": \"m\", \"peer\": \"Detour's between the same doors\", \"ratio\": %.4g}\n",
-			name, our_metres / queries, our_metres / their_metres);
+	bench::print(std::string("path query, ") + name + " of 300 lots", ours.seconds / queries * 1e6, "us", theirs.seconds / queries * 1e6);
+	bench::print(std::string("length of those paths, ") + name, our_metres / queries, "m", their_metres / queries);
 	return true;
 }
 

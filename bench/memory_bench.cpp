@@ -1,35 +1,7 @@
-#include <cstddef>
-#include <cstdlib>
-#include <new>
-
-#include <malloc.h>
-
+#include "bench/allocation_count.h"
 #include "bench/cga_bench.h"
 
-// Memory of derivations by face of the model, on one thread. A program of its own, because it counts every allocation, which takes time.
-namespace {
-
-size_t bytes_now = 0, bytes_most = 0; // on the heap
-
-} // namespace
-
-void *operator new(size_t size) {
-	void *memory = std::malloc(size > 0 ? size : 1);
-	if (memory == nullptr) {
-		std::abort();
-	}
-	bytes_now += malloc_usable_size(memory);
-	bytes_most = bytes_now > bytes_most ? bytes_now : bytes_most;
-	return memory;
-}
-void operator delete(void *memory) noexcept {
-	bytes_now -= memory != nullptr ? malloc_usable_size(memory) : 0;
-	std::free(memory);
-}
-void operator delete(void *memory, size_t) noexcept {
-	operator delete(memory);
-}
-
+// Memory of derivations by face of the model, on one thread. A program of its own, because counting takes time.
 namespace {
 
 using namespace pcg;
@@ -48,13 +20,13 @@ size_t bytes_of(const Mesh &mesh) {
 // interpreter's first, the models that it reads.
 void bench_memory(const Building &building, const Program &program) {
 	cga::Deriver deriver(program, options());
-	const size_t before = bytes_now;
-	bytes_most = bytes_now;
+	const size_t before = heap.bytes;
+	heap.most_bytes = before;
 	const cga::DerivationResult model = deriver.derive(cga::InitialShape::rectangle(building.width, building.width, 1));
 	const double result = double(bytes_of(model.mesh) + model.instances.size() * sizeof(cga::ModelInstance)), faces = double(model.face_count);
 	const std::string name = std::string("cga_") + building.name;
-	print(name + "_transient_bytes", (double(bytes_most - before) - result) / faces, "bytes/face", 100.0);
-	print(name + "_result_bytes", result / faces, "bytes/face", 0.0);
+	print(name + "_transient_bytes", (double(heap.most_bytes - before) - result) / faces, "bytes/face", 100.0);
+	print(name + "_result_bytes", result / faces, "bytes/face");
 }
 
 } // namespace

@@ -2,29 +2,17 @@
 // 1,000, 10,000 and a million, to see what a person costs.
 // Peer: SUMO, whose non-interacting persons take 6.8 s for 12 h of 20,000 (in persons x hours a second).
 #include <chrono>
-#include <cstdio>
-#include <cstdlib>
-#include <new>
 #include <string>
 
 #include <sys/resource.h>
 
+#include "bench/allocation_count.h"
+#include "bench/figure.h"
 #include "core/base/random.h"
 #include "core/navigation/straight_line_paths.h"
 #include "core/sim/simulation.h"
 
 using namespace pcg;
-
-// Counts what is asked for, to show that steps ask for nothing.
-static uint64_t allocations = 0;
-
-void *operator new(size_t size) {
-	++allocations;
-	void *memory = std::malloc(size);
-	return memory ? memory : (std::abort(), nullptr);
-}
-void operator delete(void *memory) noexcept { std::free(memory); }
-void operator delete(void *memory, size_t) noexcept { std::free(memory); }
 
 namespace {
 
@@ -35,15 +23,6 @@ constexpr int32_t minute = 60'000;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
 	return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-void print(const std::string &name, double value, const char *unit, double peer) {
-	std::printf("{\"name\":\"%s\",\"value\":%.6g,\"unit\":\"%s\",", name.c_str(), value, unit);
-	if (peer > 0.0) {
-		std::printf("\"peer\":%.6g,\"ratio\":%.4g}\n", peer, value / peer);
-	} else {
-		std::printf("\"peer\":null,\"ratio\":null}\n");
-	}
 }
 
 void build_city(CityModel &city, uint32_t building_count) {
@@ -109,13 +88,13 @@ void measure_peak(Simulation &simulation, const std::string &name) {
 	simulation.jump_to(SimTime::at(0, Duration::hours(8)));
 	simulation.step(Duration::minutes(10));
 	constexpr int frames = 600;
-	const uint64_t before = allocations;
+	const uint64_t before = bench::heap.allocations;
 	const auto start = std::chrono::steady_clock::now();
 	for (int frame = 0; frame < frames; ++frame) {
 		simulation.step(Duration::seconds(1.0));
 	}
-	print(name + "_frame_at_peak", seconds_since(start) / frames * 1000.0, "ms", 0.0);
-	print(name + "_allocations_per_frame", double(allocations - before) / frames, "allocations", 0.0);
+	bench::print(name + "_frame_at_peak", seconds_since(start) / frames * 1000.0, "ms");
+	bench::print(name + "_allocations_per_frame", double(bench::heap.allocations - before) / frames, "allocations");
 }
 
 double resident_mb() {
@@ -140,18 +119,18 @@ void measure(uint32_t person_count, const std::string &name) {
 
 	auto start = std::chrono::steady_clock::now();
 	simulation.start(SimTime{});
-	print(name + "_start", seconds_since(start), "s", 0.0);
+	bench::print(name + "_start", seconds_since(start), "s");
 	start = std::chrono::steady_clock::now();
 	simulation.advance_to(SimTime::at(1, {}));
 	const double day = seconds_since(start);
-	print(name + "_day", day, "s", 0.0);
-	print(name + "_person_hours_per_second", person_count * 24.0 / day, "person h/s", sumo_person_hours_per_second);
-	print(name + "_trips", double(simulation.statistics().trips), "trips", 0.0);
+	bench::print(name + "_day", day, "s");
+	bench::print(name + "_person_hours_per_second", person_count * 24.0 / day, "person h/s", sumo_person_hours_per_second);
+	bench::print(name + "_trips", double(simulation.statistics().trips), "trips");
 	start = std::chrono::steady_clock::now();
 	simulation.jump_to(SimTime::at(2, Duration::hours(8)));
-	print(name + "_jump", seconds_since(start) * 1000.0, "ms", 0.0);
+	bench::print(name + "_jump", seconds_since(start) * 1000.0, "ms");
 	measure_peak(simulation, name);
-	print(name + "_memory", resident_mb(), "MB", 0.0);
+	bench::print(name + "_memory", resident_mb(), "MB");
 }
 
 } // namespace
@@ -161,6 +140,6 @@ int main() {
 	measure(10'000, "sim_10k");
 	measure(100'000, "sim_100k");
 	measure(1'000'000, "sim_1m");
-	print("sim_bytes_per_person", double(sizeof(PersonRecord)), "B", 0.0);
+	bench::print("sim_bytes_per_person", double(sizeof(PersonRecord)), "B");
 	return 0;
 }

@@ -4,8 +4,9 @@
     run_bench.py [NAME..] [--engine GODOT] [--json FILE]
     run_bench.py --instructions [CASE..] [--json FILE]
 
-A program prints one JSON object a figure: name, value, unit, peer (what it is compared with), ratio (value over peer; of instructions peer over
-value). With an engine, the scripts of bench/ are among them. Where valgrind is installed, agenda_bench has a figure in instructions too: they are the same on every run, whatever else the machine does.
+A program prints one JSON object a figure: name, value, unit, peer (what it is compared with), ratio (value over peer); the last two are null
+where there is nothing to compare with. With an engine, the scripts of bench/ are among them. Where valgrind is installed, agenda_bench has a figure in
+instructions too: they are the same on every run, whatever else the machine does.
 With --instructions only those of derivations are counted, by face and case.
 """
 
@@ -52,14 +53,14 @@ def agenda_instructions(program, persons=20000, peer=7000):
     """What one agenda costs."""
     instructions, made = count([program, str(persons)], "--toggle-collect=pcg::generate_agendas(*")
     value = round(instructions / made)
-    return {"name": "agenda.instructions_per_person", "value": value, "unit": "instructions", "peer": peer, "ratio": round(peer / value, 3)}
+    return {"name": "agenda.instructions_per_person", "value": value, "unit": "instructions", "peer": peer, "ratio": round(value / peer, 3)}
 
 
 def derive_instructions(case):
     """What one face of a case costs. The start and the first derivation, which makes memory and reads files, are not counted."""
     (some, few_faces), (more, many_faces) = count([DERIVE, "derive", case, "1"]), count([DERIVE, "derive", case, "3"])
     value = round((more - some) / (many_faces - few_faces))
-    return {"name": f"cga_{case}_instructions", "value": value, "unit": "instructions/face", "peer": 0, "ratio": 0}
+    return {"name": f"cga_{case}_instructions", "value": value, "unit": "instructions/face", "peer": None, "ratio": None}
 
 
 def jobs_of(options):
@@ -102,7 +103,8 @@ def main():
             return 1
         figures += found
         for figure in found:
-            print("{name}: {value} {unit} (peer: {peer}, ratio {ratio})".format(**figure), flush=True)
+            compared = " (peer: {peer}, ratio {ratio})" if figure["peer"] is not None else ""
+            print(("{name}: {value} {unit}" + compared).format(**figure), flush=True)
     if options.json:
         partial = options.json.with_name(options.json.name + ".tmp")
         partial.write_text(json.dumps(figures, indent=1) + "\n")
