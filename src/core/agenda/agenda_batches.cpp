@@ -4,7 +4,7 @@
 #include <atomic>
 #include <tuple>
 
-#include "core/agenda/agenda_edit.h"
+#include "core/agenda/renumbering.h"
 #include "core/base/parallel.h"
 
 namespace pcg {
@@ -43,8 +43,6 @@ private:
 	// Where a batch begins in the set.
 	struct Place {
 		size_t person = 0, task = 0, floating_task = 0, group = 0;
-		std::vector<uint16_t> names; // of its names; none if it has none
-		std::vector<uint8_t> requirements;
 	};
 
 	void find_origins(const AgendaBatch &batch) {
@@ -68,11 +66,12 @@ private:
 
 	void lay_out() {
 		_places.resize(_batches.size());
+		_renumberings.reserve(_batches.size());
 		Place next;
 		for (size_t i = 0; i < _batches.size(); ++i) {
 			const AgendaBatch &batch = _batches[i];
 			_places[i] = next;
-			number_names(batch, _places[i]);
+			_renumberings.emplace_back(_set, batch.names, batch.requirements, _origin_number, next.group);
 			next.person += batch.task_counts.size();
 			next.task += batch.tasks.size();
 			next.floating_task += batch.floating_tasks.size();
@@ -87,30 +86,12 @@ private:
 		std::fill(_set.first_floating_task.begin() + ptrdiff_t(next.person), _set.first_floating_task.end(), uint32_t(next.floating_task));
 	}
 
-	void number_names(const AgendaBatch &batch, Place &place) {
-		if (batch.names.size() <= 1 && batch.requirements.size() <= 1) {
-			return;
-		}
-		for (const std::string &name : batch.names) {
-			place.names.push_back(task_name(_set, name));
-		}
-		for (Requirement requirement : batch.requirements) {
-			requirement.name = place.names[requirement.name];
-			requirement.outer = requirement.outer != 0 ? place.requirements[requirement.outer] : uint8_t(0);
-			place.requirements.push_back(task_requirement(_set, requirement));
-		}
-	}
-
 	void write(size_t index) {
 		AgendaBatch &batch = _batches[index];
 		const Place &place = _places[index];
 		Task *out = _set.tasks.data() + place.task;
-		for (Task task : batch.tasks) {
-			task.origin = _origin_number[task.origin];
-			task.target += task.kind == TaskKind::Accompany ? uint32_t(place.group) : 0;
-			task.name = place.names.empty() ? task.name : place.names[task.name];
-			task.requirement = place.names.empty() ? task.requirement : place.requirements[task.requirement];
-			*out++ = task;
+		for (const Task &task : batch.tasks) {
+			*out++ = _renumberings[index].apply(task);
 		}
 		std::copy(batch.floating_tasks.begin(), batch.floating_tasks.end(), _set.floating_tasks.begin() + ptrdiff_t(place.floating_task));
 		std::move(batch.groups.begin(), batch.groups.end(), _set.groups.begin() + ptrdiff_t(place.group));
@@ -132,6 +113,7 @@ private:
 	std::vector<std::atomic<bool>> _is_origin; // by address
 	std::vector<uint32_t> _origin_number;
 	std::vector<Place> _places;
+	std::vector<Renumbering> _renumberings;
 };
 
 } // namespace

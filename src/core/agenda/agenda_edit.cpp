@@ -1,7 +1,10 @@
 #include "core/agenda/agenda_edit.h"
 
 #include <algorithm>
+#include <numeric>
 #include <span>
+
+#include "core/agenda/renumbering.h"
 
 namespace pcg {
 
@@ -269,24 +272,11 @@ AgendaChange insert_task(AgendaSet &agendas, const Population &population, Perso
 
 void append_agendas(AgendaSet &agendas, const AgendaSet &more) {
 	const auto first_task = uint32_t(agendas.tasks.size()), first_floating = uint32_t(agendas.floating_tasks.size());
-	const auto first_group = uint32_t(agendas.groups.size()), first_origin = uint32_t(agendas.origins.size());
-	std::vector<uint16_t> names{ 0 };
-	for (size_t i = 1; i < more.names.size(); ++i) {
-		names.push_back(task_name(agendas, more.names[i]));
-	}
-	std::vector<uint8_t> requirements{ 0 };
-	for (size_t i = 1; i < more.requirements.size(); ++i) {
-		Requirement requirement = more.requirements[i];
-		requirement.name = names[requirement.name];
-		requirement.outer = requirements[requirement.outer];
-		requirements.push_back(task_requirement(agendas, requirement));
-	}
-	for (Task task : more.tasks) {
-		task.target += task.kind == TaskKind::Accompany ? first_group : 0;
-		task.origin += first_origin;
-		task.name = names[task.name];
-		task.requirement = requirements[task.requirement];
-		agendas.tasks.push_back(task);
+	std::vector<uint32_t> origins(more.origins.size());
+	std::iota(origins.begin(), origins.end(), uint32_t(agendas.origins.size()));
+	const Renumbering renumbering(agendas, more.names, more.requirements, origins, agendas.groups.size());
+	for (const Task &task : more.tasks) {
+		agendas.tasks.push_back(renumbering.apply(task));
 	}
 	agendas.floating_tasks.insert(agendas.floating_tasks.end(), more.floating_tasks.begin(), more.floating_tasks.end());
 	agendas.groups.insert(agendas.groups.end(), more.groups.begin(), more.groups.end());

@@ -247,6 +247,17 @@ TEST_CASE("households that come later get agendas of their own behind the others
 	CHECK(fixture.day_of(PersonId(3)) == fixture.day_of(family.child));
 	CHECK(fixture.agendas.groups.size() == 2 * groups);
 	CHECK(fixture.agendas.groups.back().leader == PersonId(2));
+	const auto lines_of = [&](PersonId person) {
+		std::vector<std::pair<std::string, uint32_t>> lines;
+		for (const Task &task : fixture.agendas.tasks_of(person)) {
+			const TaskOrigin &origin = fixture.agendas.origins.at(task.origin);
+			lines.push_back({ origin.rule, origin.line });
+		}
+		return lines;
+	};
+	CHECK_FALSE(lines_of(PersonId(2)).empty());
+	CHECK(lines_of(PersonId(2)) == lines_of(family.parent));
+	CHECK(lines_of(PersonId(3)) == lines_of(family.child));
 	const AgendaChange change = family.insert(PersonId(3), stay(0, 24, family.home, monday));
 	REQUIRE(change.dropped.size() == 1);
 	CHECK(change.dropped[0].person == PersonId(2));
