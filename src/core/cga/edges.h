@@ -30,6 +30,8 @@ struct FaceEdge {
 std::vector<FaceEdge> face_edges(const Geometry &geometry);
 // Edges with equal ends side by side, each group in its original order.
 std::vector<FaceEdge> grouped_edges(const Geometry &geometry);
+// Every edge, as face_edges() counts them, belongs to two faces. The quick way: every roof is asked, and most are small.
+bool has_paired_edges(const Geometry &geometry);
 
 template <typename Use> void for_each_edge_group(const std::vector<FaceEdge> &grouped, Use use) {
 	for (size_t i = 0; i < grouped.size();) {

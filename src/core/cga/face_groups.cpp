@@ -243,11 +243,7 @@ const Geometry *rebuild(const Geometry &geometry, const IndexedFaces &indexed, G
 		builder.end_face(geometry.faces[face.source].tag, geometry.faces[face.source].material);
 	}
 	const Geometry *result = builder.finish(arena, false);
-	if (result == nullptr || !geometry.is_closed) {
-		return result;
-	}
-	bool is_closed = true;
-	for_each_edge_group(grouped_edges(*result), [&](std::span<const FaceEdge> group) { is_closed &= group.size() == 2; });
+	const bool is_closed = result != nullptr && geometry.is_closed && has_paired_edges(*result);
 	return is_closed ? builder.finish(arena, true) : result;
 }
 

@@ -90,12 +90,7 @@ double boundary_length(const Shape &shape) {
 }
 
 bool is_closed_surface(const Shape &shape) {
-	if (shape.geometry == nullptr || shape.geometry->is_closed) {
-		return shape.geometry != nullptr;
-	}
-	bool result = true;
-	for_each_edge_group(grouped_edges(*shape.geometry), [&](std::span<const FaceEdge> group) { result &= group.size() == 2; });
-	return result;
+	return shape.geometry != nullptr && (shape.geometry->is_closed || has_paired_edges(*shape.geometry));
 }
 
 bool is_concave(const Shape &shape) {

@@ -1,14 +1,11 @@
 #include "core/geometry/roof.h"
 
-#include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include <glm/matrix.hpp>
 
-#include "core/base/random.h"
-#include "core/base/small_vector.h"
 #include "core/cga/context.h"
+#include "core/cga/edges.h"
 #include "core/cga/operations/operations.h"
 #include "core/geometry/polygon.h"
 
@@ -44,45 +41,6 @@ void add_loop(GeometryBuilder &builder, const RoofLoop &loop, const Frame &frame
 		builder.add_point(frame.to_parent(point));
 	}
 	builder.end_loop();
-}
-
-struct RoofEdge {
-	uint64_t hash; // of both ends
-	const glm::dvec3 *from, *to;
-
-	bool has_ends_of(const RoofEdge &other) const { return (*from == *other.from && *to == *other.to) || (*from == *other.to && *to == *other.from); }
-};
-
-uint64_t hash_of(glm::dvec3 point) {
-	uint64_t hash = 0;
-	for (int axis = 0; axis < 3; ++axis) {
-		hash = mix64(hash ^ std::bit_cast<uint64_t>(point[axis] + 0.0)); // without the sign of zero
-	}
-	return hash;
-}
-
-// Every edge belongs to two faces.
-bool is_closed(const Geometry &geometry) {
-	SmallVector<RoofEdge, 32> edges;
-	for (uint32_t l = 0; l < geometry.loop_count; ++l) {
-		const auto loop = geometry.loop(l);
-		const uint64_t first = hash_of(loop[0]);
-		uint64_t from = first;
-		for (size_t i = 0; i < loop.size(); ++i) {
-			const bool is_last = i + 1 == loop.size();
-			const uint64_t to = is_last ? first : hash_of(loop[i + 1]);
-			edges.push_back({ from + to, &loop[i], &loop[is_last ? 0 : i + 1] });
-			from = to;
-		}
-	}
-	std::ranges::sort(edges, {}, &RoofEdge::hash);
-	for (size_t i = 0; i < edges.size(); i += 2) {
-		const bool is_pair = i + 1 < edges.size() && edges[i].has_ends_of(edges[i + 1]);
-		if (!is_pair || (i + 2 < edges.size() && edges[i + 2].hash == edges[i].hash)) {
-			return false;
-		}
-	}
-	return true;
 }
 
 // The original face is face 0: CityEngine's own files drop it so, with comp(f) { 0 : NIL | .. }.
@@ -129,7 +87,7 @@ Flow make_roof(Context &context, RoofArgs args, RoofMaker maker) {
 	const glm::dvec3 normal = face_normal(*geometry, geometry->faces[0]);
 	if (const Geometry *roof = builder.finish(context.arena, false)) {
 		Geometry *result = context.arena.make(*roof);
-		result->is_closed = is_complete && is_closed(*roof); // overhangs leave it open
+		result->is_closed = is_complete && has_paired_edges(*roof); // overhangs leave it open
 		set_geometry(shape, result);
 		turn_scope(shape, axes_from_y(normal, { 1.0, 0.0, 0.0 }), builder, context.arena);
 	}
