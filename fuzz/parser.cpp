@@ -1,4 +1,6 @@
+#include "core/cga/dialect.h"
 #include "core/lang/parser.h"
+#include "core/sim/dialect.h"
 #include "fuzz/fuzz.h"
 
 using namespace pcg;
@@ -8,8 +10,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
 	std::string text = fuzz::text_of(data, size);
 	if (decode_rule_text("main", text, diagnostics)) {
 		const Source source("main", text);
-		parse(source, false, diagnostics);
-		parse(source, true, diagnostics);
+		parse(source, cga::cga_dialect(), diagnostics);
+		parse(source, pcg_dialect(), diagnostics);
 	}
 	return 0;
 }

@@ -1,5 +1,7 @@
 #include "core/lang/dialect.h"
 
+#include <algorithm>
+
 namespace pcg {
 
 namespace {
@@ -54,13 +56,8 @@ int Dialect::find_variable(std::string_view variable_name) const {
 bool Dialect::has_function(std::string_view function_name) const { return has_spec(functions, function_name); }
 bool Dialect::has_operation(std::string_view operation_name) const { return has_spec(operations, operation_name); }
 
-BlockKind Dialect::block_kind(std::string_view operation_name) const {
-	for (const OperationSpec &spec : operations) {
-		if (spec.name == operation_name && spec.block != BlockKind::None) {
-			return spec.block;
-		}
-	}
-	return BlockKind::None;
+bool Dialect::takes_rule(std::string_view operation_name) const {
+	return std::ranges::any_of(operations, [&](const OperationSpec &spec) { return spec.takes_rule && spec.name == operation_name; });
 }
 
 } // namespace pcg

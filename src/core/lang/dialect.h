@@ -100,6 +100,7 @@ struct OperationSpec {
 	Phase phase = Phase::Generation;
 	const void *user = nullptr;
 	ConstantCheck check = nullptr;
+	bool takes_rule = false; // a command behind it is its block: `union Rule` is `union { Rule }`
 };
 
 // Read-only built-in: `age`, `scope.sx`.
@@ -140,8 +141,8 @@ struct Dialect {
 	int find_variable(std::string_view name) const;
 	bool has_function(std::string_view name) const;
 	bool has_operation(std::string_view name) const;
-	// The block that an operation of this name takes, whatever its arguments; the parser needs it before it knows them.
-	BlockKind block_kind(std::string_view operation_name) const;
+	// Whether an operation of this name is one with OperationSpec::takes_rule.
+	bool takes_rule(std::string_view operation_name) const;
 };
 
 // abs min max floor .. rand p: shared by all dialects. `rand` draws from Vm::random().

@@ -217,7 +217,7 @@ uint32_t Parser::parse_call() {
 			command.arguments = add_children(parse_arguments());
 		}
 	}
-	if (is(TokenKind::Name) && is_solid_operation(command.name)) {
+	if (is(TokenKind::Name) && !is_keyword(text(peek())) && _dialect.takes_rule(command.name)) {
 		command.block = parse_rule_as_block();
 	} else if (is(TokenKind::OpenBrace) && !_panic) {
 		command.block = parse_block();
@@ -238,11 +238,6 @@ uint32_t Parser::parse_import_call_command(Command command) {
 	command.arguments = _ast.exprs[call].children;
 	command.block = _ast.exprs[call].block;
 	return add(command);
-}
-
-// `union Rule` is `union { Rule }` (CGA reference: op_boolOp).
-bool Parser::is_solid_operation(std::string_view name) const {
-	return (name == "union" || name == "subtract" || name == "intersect") && !is_keyword(text(peek()));
 }
 
 uint32_t Parser::parse_rule_as_block() {

@@ -4,14 +4,14 @@
 
 namespace pcg {
 
-Ast parse(const Source &source, bool has_time_units, Diagnostics &diagnostics) {
-	const TokenList list = tokenize(source, has_time_units, diagnostics);
+Ast parse(const Source &source, const Dialect &dialect, Diagnostics &diagnostics) {
+	const TokenList list = tokenize(source, dialect.has_time_units, diagnostics);
 	if (list.is_too_deep) {
 		Ast nothing;
 		nothing.is_abandoned = true;
 		return nothing;
 	}
-	return Parser(source, list, diagnostics).run();
+	return Parser(source, list, dialect, diagnostics).run();
 }
 
 // --- Tokens and errors

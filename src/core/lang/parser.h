@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/lang/ast.h"
+#include "core/lang/dialect.h"
 #include "core/lang/lexer.h"
 #include "core/lang/source.h"
 
@@ -13,12 +14,12 @@
 // beginning, and says nothing about what it skipped.
 namespace pcg {
 
-Ast parse(const Source &source, bool has_time_units, Diagnostics &diagnostics);
+Ast parse(const Source &source, const Dialect &dialect, Diagnostics &diagnostics);
 
 class Parser {
 public:
-	Parser(const Source &source, const TokenList &list, Diagnostics &diagnostics)
-			: _source(source), _list(list), _tokens(list.tokens), _diagnostics(diagnostics) {}
+	Parser(const Source &source, const TokenList &list, const Dialect &dialect, Diagnostics &diagnostics)
+			: _source(source), _list(list), _tokens(list.tokens), _dialect(dialect), _diagnostics(diagnostics) {}
 	Ast run();
 
 private:
@@ -72,7 +73,6 @@ private:
 	uint32_t parse_inline();
 	uint32_t parse_import_call_command(Command command);
 	uint32_t parse_group();
-	bool is_solid_operation(std::string_view name) const;
 	uint32_t parse_rule_as_block();
 	uint32_t parse_block();
 	uint32_t parse_entry();
@@ -133,6 +133,7 @@ private:
 	const Source &_source;
 	const TokenList &_list;
 	const std::vector<Token> &_tokens;
+	const Dialect &_dialect;
 	Diagnostics &_diagnostics;
 	Ast _ast;
 	uint32_t _at = 0;

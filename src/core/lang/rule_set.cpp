@@ -89,7 +89,7 @@ uint32_t Loader::read(const std::string &path, const ParsedFile *importer, const
 	auto file = std::make_unique<ParsedFile>();
 	file->path = path;
 	file->source = std::make_shared<const Source>(path, std::move(*bytes));
-	file->ast = parse(*file->source, _dialect.has_time_units, _diagnostics);
+	file->ast = parse(*file->source, _dialect, _diagnostics);
 	_set.files.push_back(std::move(file));
 	return _files[path] = uint32_t(_set.files.size() - 1);
 }

@@ -70,6 +70,7 @@ void add_unbuilt(Dialect &dialect) {
 	const ParamSpec components = { "components", Word, "auto faces edges vertices", true };
 	for (const char *name : { "union", "subtract", "intersect" }) {
 		operations.push_back({ name, { { "swapMode", Word, "noSwap swap", true } }, BlockKind::Bodies, boolean_operation, help });
+		operations.back().takes_rule = true; // CGA reference: op_boolOp
 	}
 	operations.push_back({ "tag", { { "name", Text }, components }, BlockKind::None, tag, help });
 	operations.push_back({ "deleteTags", { { "query", Text, {}, true }, parts }, BlockKind::None, tag, help });
