@@ -120,7 +120,7 @@ func _populate() -> bool:
 		return false
 	var made: Dictionary = _citizens.get_statistics()
 	print("people: %d persons in %d households, %d agenda entries in %.2f s" % [made["persons"], made["households"],
-			made["agenda_entries"], _seconds()])
+			made["tasks"], _seconds()])
 	return true
 
 

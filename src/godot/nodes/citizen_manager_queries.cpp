@@ -126,7 +126,7 @@ Dictionary CitizenManager::get_statistics() const {
 	Dictionary result;
 	result["persons"] = _life ? int64_t(_life->population.persons.size()) : 0;
 	result["households"] = _life ? int64_t(_life->population.households.size()) : 0;
-	result["agenda_entries"] = _life ? int64_t(_life->agendas.tasks.size()) : 0;
+	result["tasks"] = _life ? int64_t(_life->agendas.tasks.size()) : 0;
 	if (!is_running()) {
 		return result;
 	}
