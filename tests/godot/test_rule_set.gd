@@ -37,6 +37,21 @@ func test_a_cga_file_loads_as_a_resource() -> void:
 	check_equal(rules.get_attributes()[0]["name"], "height", "the attribute")
 
 
+func test_attributes_tell_their_defaults_as_written() -> void:
+	var rules := PCGRuleSet.new()
+	rules.source = "attr height =\n\t9 // metres\nattr isTall = height == 12\nattr width = rand(9.5, // at least\n\t12)\nattr last = -1\n@StartRule\nLot --> X.\n"
+	var defaults: Dictionary = {}
+	for attribute: Dictionary in rules.get_attributes():
+		defaults[attribute["name"]] = attribute["default"]
+	check_equal(defaults, {"height": "9", "isTall": "height == 12", "width": "rand(9.5, // at least\n\t12)", "last": "-1"}, "on the next line, with an `=`, over two lines")
+
+
+func test_words_of_the_grammar_are_told() -> void:
+	for word: String in ["attr", "case", "else", "import", "style", "with"]:
+		check(PCGRuleSet.get_keywords().has(word), word)
+	check(not PCGRuleSet.get_keywords().has("extrude"), "operations are no words of the grammar")
+
+
 func test_a_pcg_file_is_an_agenda() -> void:
 	var path: String = _write("day.pcg", "@StartRule\nHousehold --> members { true: stayInside(0h, 24h, home) }\n")
 	var rules: PCGRuleSet = load(path)
@@ -93,8 +108,13 @@ func test_rules_are_saved_as_a_rule_file() -> void:
 	check_equal(ResourceSaver.save(rules, path), OK, "saved")
 	check_equal(FileAccess.get_file_as_string(path), rules.source, "the file is the text")
 	check_equal(rules.get_file(), path, "the rules are those of the file now")
-	check(not FileAccess.file_exists(path + ".tmp"), "nothing else is left")
+	check_equal(Array(DirAccess.get_files_at(FOLDER)).filter(func(file: String) -> bool: return file.contains(".tmp")), [], "nothing else is left")
 	check(not PCGRuleSet.from_file(path).has_errors(), "and it loads")
+	DirAccess.make_dir_recursive_absolute(FOLDER.path_join("folder.cga"))
+	expect_message("this is a folder")
+	check_equal(ResourceSaver.save(rules, FOLDER.path_join("folder.cga")), ERR_FILE_CANT_WRITE, "what cannot be written is told")
+	check_equal(rules.get_file(), path, "and changes nothing")
+	DirAccess.remove_absolute(FOLDER.path_join("folder.cga"))
 
 
 func test_text_is_compiled_as_though_it_stood_in_its_file() -> void:

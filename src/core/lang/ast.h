@@ -128,6 +128,7 @@ struct AstItem {
 	std::vector<AstLocal> locals;
 	std::vector<AstAnnotation> annotations;
 	uint32_t value = no_node; // Expr, of all but rules
+	std::string_view value_text; // the value as it was written
 	uint32_t body = no_node; // of rules
 };
 

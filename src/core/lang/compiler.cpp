@@ -159,6 +159,7 @@ void Compiler::declare_attribute(Definition &definition) {
 	open_scope(definition);
 	info.place = place(definition.offset);
 	info.annotations = annotations_of(definition);
+	info.default_text = definition.item->value_text;
 	info.kind = definition.item->kind == AstItem::Kind::Attribute  ? AttributeInfo::Kind::Attribute
 			: definition.item->kind == AstItem::Kind::Constant ? AttributeInfo::Kind::Constant
 															   : AttributeInfo::Kind::Plain;

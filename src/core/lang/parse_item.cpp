@@ -191,11 +191,18 @@ void Parser::parse_value(AstItem::Kind kind) { // attr and const
 		item.locals = parse_with();
 	}
 	if (!_panic && expect(TokenKind::Assign, "after the name of a value")) {
-		item.value = parse_expression();
+		parse_value_of(item);
 	}
 	if (item.value != no_node) {
 		_ast.items.push_back(std::move(item));
 	}
+}
+
+void Parser::parse_value_of(AstItem &item) {
+	const uint32_t begin = peek().offset;
+	item.value = parse_expression();
+	const Token &last = _tokens[_at - 1]; // `=` at least came before
+	item.value_text = last.offset >= begin ? _source.text().substr(begin, last.offset + last.length - begin) : std::string_view();
 }
 
 void Parser::parse_definition(bool is_start, bool is_extension) { // rules, plain values, functions
@@ -225,7 +232,7 @@ void Parser::parse_definition(bool is_start, bool is_extension) { // rules, plai
 		expect(TokenKind::Arrow, "after the name of a rule");
 	} else if (expect(TokenKind::Assign, "after the name of a value")) {
 		item.kind = AstItem::Kind::Plain;
-		item.value = parse_expression();
+		parse_value_of(item);
 	}
 	// A rule whose body went wrong is still there: its callers are not wrong because of that.
 	if (item.body != no_node || item.value != no_node) {

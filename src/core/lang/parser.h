@@ -14,6 +14,10 @@
 // beginning, and says nothing about what it skipped.
 namespace pcg {
 
+// Words that mean something to the grammar where they stand; elsewhere all but `case` and `else` may be names.
+constexpr std::string_view keywords[] = { "attr", "case", "const", "else", "extends", "extension", "false", "import", "inline", "start", "style", "true",
+	"version", "with" };
+
 Ast parse(const Source &source, const Dialect &dialect, Diagnostics &diagnostics);
 
 class Parser {
@@ -50,6 +54,7 @@ private:
 	void parse_import();
 	void parse_style();
 	void parse_value(AstItem::Kind kind);
+	void parse_value_of(AstItem &item);
 	void parse_definition(bool is_start, bool is_extension);
 	void parse_annotation();
 	std::vector<AstParam> parse_params();

@@ -67,6 +67,7 @@ struct AttributeInfo {
 	SourcePlace place;
 	std::vector<Annotation> annotations;
 	ValueType type = ValueType::Void; // as far as known without running
+	std::string default_text; // the value as the rules write it
 };
 
 // One entry of a selector block. Entries of one block lie one behind the other in Program::entries.

@@ -148,6 +148,7 @@ TypedArray<Dictionary> PCGRuleSet::get_attributes() const {
 		entry["is_constant"] = attribute.kind == AttributeInfo::Kind::Constant;
 		entry["is_plain"] = attribute.kind == AttributeInfo::Kind::Plain;
 		entry["type"] = to_godot(type_name(attribute.type));
+		entry["default"] = to_godot(std::string_view(attribute.default_text));
 		entry["file"] = to_godot(std::string_view(_program->files[attribute.place.file]));
 		entry["line"] = attribute.place.line;
 		Dictionary annotations;

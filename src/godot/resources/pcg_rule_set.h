@@ -36,6 +36,7 @@ public:
 	// Compiles `p_text` as though it stood in that file already; what it imports is read.
 	static godot::Ref<PCGRuleSet> from_text(const godot::String &p_path, const godot::String &p_text);
 	static godot::TypedArray<godot::Dictionary> get_builtins(Dialect p_dialect);
+	static godot::PackedStringArray get_keywords();
 	godot::TypedArray<godot::Dictionary> get_definitions() const;
 
 	void set_source(const godot::String &p_source);

@@ -2,6 +2,7 @@
 #include <godot_cpp/core/class_db.hpp>
 
 #include "core/cga/dialect.h"
+#include "core/lang/parser.h"
 #include "core/lang/reference.h"
 #include "godot/convert.h"
 #include "godot/ports/engine_files.h"
@@ -49,6 +50,7 @@ Dictionary to_definition(const Program &program, const char *kind, const std::st
 void PCGRuleSet::bind_language() {
 	ClassDB::bind_static_method("PCGRuleSet", D_METHOD("from_text", "path", "text"), &PCGRuleSet::from_text);
 	ClassDB::bind_static_method("PCGRuleSet", D_METHOD("get_builtins", "dialect"), &PCGRuleSet::get_builtins);
+	ClassDB::bind_static_method("PCGRuleSet", D_METHOD("get_keywords"), &PCGRuleSet::get_keywords);
 	ClassDB::bind_method(D_METHOD("get_definitions"), &PCGRuleSet::get_definitions);
 }
 
@@ -77,6 +79,14 @@ TypedArray<Dictionary> PCGRuleSet::get_builtins(Dialect p_dialect) {
 		result.push_back(to_entry("variable", spec.name, spec.name, spec.help));
 	}
 	return result;
+}
+
+PackedStringArray PCGRuleSet::get_keywords() {
+	PackedStringArray words;
+	for (const std::string_view word : keywords) {
+		words.push_back(to_godot(word));
+	}
+	return words;
 }
 
 TypedArray<Dictionary> PCGRuleSet::get_definitions() const {

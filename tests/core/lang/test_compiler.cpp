@@ -79,6 +79,16 @@ TEST_CASE("constants are folded") {
 	CHECK(program->code.size() == 8);
 }
 
+TEST_CASE("defaults of attributes are kept as they were written") {
+	Diagnostics diagnostics;
+	const auto program = program_of("attr a =\n\t9 // metres\nattr b = a == 12\nc = max(1, // at least\n2)\nconst d = -1", shape_dialect(), diagnostics);
+	REQUIRE(program);
+	REQUIRE(program->attributes.size() == 3); // c is a function here
+	CHECK(program->attributes[0].default_text == "9");
+	CHECK(program->attributes[1].default_text == "a == 12");
+	CHECK(program->attributes[2].default_text == "-1");
+}
+
 TEST_CASE("annotations reach the program as they were written") {
 	Diagnostics diagnostics;
 	const auto program = program_of("@Range(min=0, max=10)\n@Description(\"How \\\"high\\\"\")\nattr h = 3\n@StartRule @Object(\"bench\")\nA -> log(h)",

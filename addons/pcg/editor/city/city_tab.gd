@@ -41,6 +41,7 @@ func _ready() -> void:
 	_types.item_activated.connect(_on_type_activated)
 	_add_inspector(%Layout, _layout_inspector)
 	_add_inspector(%Attributes, _attribute_inspector)
+	_attribute_inspector.property_toggled.connect(_on_attribute_ticked)
 	_types.set_column_expand(1, false)
 	for column: int in 3:
 		_types.set_column_title(column, ["Lots", "Weight", "Rules"][column])
@@ -199,6 +200,14 @@ func show_attributes(type: PCGLotType) -> void:
 	if type == null:
 		told.text = "Choose a type of lot to see the attributes of its rules."
 	_attribute_inspector.edit(null if _attributes.is_empty() else _attributes)
+
+
+func _on_attribute_ticked(name: String, is_ticked: bool) -> void:
+	var undo: EditorUndoRedoManager = context.get_undo()
+	undo.create_action("%s %s" % ["Set" if is_ticked else "Leave to the rules:", name], UndoRedo.MERGE_DISABLE, context.city)
+	undo.add_do_method(_attributes, &"tick", StringName(name), is_ticked)
+	undo.add_undo_method(_attributes, &"give", _attributes.lot_type.attributes.duplicate())
+	undo.commit_action()
 
 
 func get_attributes() -> RuleAttributes:

@@ -1,9 +1,7 @@
 @tool
 extends RefCounted
 ## The attributes of a lot type's rules as properties, so that the engine's inspector shows them: annotations become ranges, lists, colours and
-## groups. A property that is not ticked is left to the rules.
-
-signal attribute_changed
+## groups. A property that is not ticked is left to the rules, and shows what they say.
 
 var lot_type: PCGLotType
 var _entries: Dictionary[StringName, Dictionary] = {} # name to { property, default }
@@ -28,15 +26,14 @@ func _read(attributes: Array[Dictionary]) -> void:
 		group = annotations["Group"][0] if annotations.has("Group") and not annotations["Group"].is_empty() else group
 		if attribute["is_constant"] or attribute["is_plain"] or annotations.has("Hidden") or attribute["file"] != own_file and not own_file.is_empty():
 			continue
-		var default: String = _default_text(attribute)
-		var property: Dictionary = to_property(attribute, default)
-		_entries[StringName(property["name"])] = {"property": property, "group": group, "default": default}
+		var property: Dictionary = to_property(attribute)
+		_entries[StringName(property["name"])] = {"property": property, "group": group, "default": attribute["default"]}
 
 
-## How the engine's inspector shows an attribute that [method PCGRuleSet.get_attributes] describes, and whose value is written as `default`.
-static func to_property(attribute: Dictionary, default: String) -> Dictionary:
+## How the engine's inspector shows an attribute that [method PCGRuleSet.get_attributes] describes.
+static func to_property(attribute: Dictionary) -> Dictionary:
 	var annotations: Dictionary = attribute["annotations"]
-	var property := {"name": attribute["name"], "type": _type_of(attribute, default), "hint": PROPERTY_HINT_NONE, "hint_string": "",
+	var property := {"name": attribute["name"], "type": _type_of(attribute), "hint": PROPERTY_HINT_NONE, "hint_string": "",
 			"usage": PROPERTY_USAGE_EDITOR | PROPERTY_USAGE_CHECKABLE}
 	var range_arguments: Array = annotations.get("Range", annotations.get("Enum", []))
 	if annotations.has("Color"):
@@ -55,7 +52,7 @@ static func to_property(attribute: Dictionary, default: String) -> Dictionary:
 
 
 # Where the compiler does not know the type without running, what is written tells it.
-static func _type_of(attribute: Dictionary, default: String) -> Variant.Type:
+static func _type_of(attribute: Dictionary) -> Variant.Type:
 	match attribute["type"]:
 		"true or false":
 			return TYPE_BOOL
@@ -66,6 +63,7 @@ static func _type_of(attribute: Dictionary, default: String) -> Variant.Type:
 	var allowed: Array = attribute["annotations"].get("Range", [])
 	if not allowed.is_empty():
 		return TYPE_FLOAT if str(allowed[0]).contains("=") or str(allowed[0]).is_valid_float() else TYPE_STRING
+	var default: String = attribute["default"]
 	if default.contains("\""):
 		return TYPE_STRING
 	return TYPE_BOOL if default.contains("true") or default.contains("false") or default.begins_with("p(") else TYPE_FLOAT
@@ -93,18 +91,6 @@ static func _or(text: String, otherwise: String) -> String:
 	return otherwise if text.is_empty() else text
 
 
-# What the rules say themselves: the text behind the name's "=".
-func _default_text(attribute: Dictionary) -> String:
-	var lines: PackedStringArray = lot_type.rules.source.split("\n")
-	var line: int = int(attribute["line"]) - 1
-	return lines[line].get_slice("=", 1).strip_edges() if line >= 0 and line < lines.size() else ""
-
-
-## What the rules say themselves about an attribute, as text.
-func get_default_text(name: StringName) -> String:
-	return _entries[name]["default"] if _entries.has(name) else ""
-
-
 func _get_property_list() -> Array[Dictionary]:
 	var list: Array[Dictionary] = []
 	var group := ""
@@ -112,18 +98,27 @@ func _get_property_list() -> Array[Dictionary]:
 		if _entries[name]["group"] != group:
 			group = _entries[name]["group"]
 			list.append({"name": group, "type": TYPE_NIL, "usage": PROPERTY_USAGE_GROUP, "hint_string": ""})
-		var property: Dictionary = _entries[name]["property"].duplicate()
-		if lot_type.attributes.has(String(name)):
-			property["usage"] |= PROPERTY_USAGE_CHECKED
-		list.append(property)
+		list.append(_shown_property(name))
 	return list
+
+
+# What the rules draw or compute for each lot has no value to show: it stands there as it is written, until it is ticked.
+func _shown_property(name: StringName) -> Dictionary:
+	var property: Dictionary = _entries[name]["property"].duplicate()
+	if lot_type.attributes.has(String(name)):
+		property["usage"] |= PROPERTY_USAGE_CHECKED
+	elif _plain_default(name) == null:
+		property.merge({"type": TYPE_STRING, "hint": PROPERTY_HINT_NONE, "hint_string": "", "usage": property["usage"] | PROPERTY_USAGE_READ_ONLY}, true)
+	return property
 
 
 func _get(name: StringName) -> Variant:
 	if not _entries.has(name):
 		return null
-	var value: Variant = lot_type.attributes.get(String(name))
-	return Color(str(value)) if value != null and _entries[name]["property"]["type"] == TYPE_COLOR else value
+	var value: Variant = lot_type.attributes.get(String(name), _plain_default(name))
+	if value == null:
+		return _entries[name]["default"]
+	return Color(str(value)) if _entries[name]["property"]["type"] == TYPE_COLOR else value
 
 
 func _set(name: StringName, value: Variant) -> bool:
@@ -131,37 +126,51 @@ func _set(name: StringName, value: Variant) -> bool:
 		return false
 	var attributes: Dictionary = lot_type.attributes.duplicate()
 	var is_new: bool = not attributes.has(String(name))
-	if value == null:
-		attributes.erase(String(name))
-	else:
-		attributes[String(name)] = _first_value(name) if is_new and value == _blank(value) else _to_rules(value)
-	lot_type.attributes = attributes
-	EditorInterface.mark_scene_as_unsaved()
-	if is_new or value == null:
-		notify_property_list_changed()
-	attribute_changed.emit()
+	attributes[String(name)] = "#" + (value as Color).to_html(false) if value is Color else value
+	give(attributes, is_new)
 	return true
 
 
-static func _to_rules(value: Variant) -> Variant:
-	return "#" + (value as Color).to_html(false) if value is Color else value
+## Begins to set an attribute here, or leaves it to the rules again.
+func tick(name: StringName, is_ticked: bool) -> void:
+	var attributes: Dictionary = lot_type.attributes.duplicate()
+	attributes.erase(String(name))
+	if is_ticked:
+		attributes[String(name)] = _first_value(name)
+	give(attributes)
 
 
-static func _blank(value: Variant) -> Variant:
-	return type_convert(null, typeof(value))
+func give(attributes: Dictionary, is_ticked_otherwise: bool = true) -> void:
+	lot_type.attributes = attributes
+	EditorInterface.mark_scene_as_unsaved()
+	if is_ticked_otherwise:
+		notify_property_list_changed()
 
 
-# Ticking a property begins with the rules' own value where that is plain, else with the least allowed.
+# The value that the rules give, where it is one for all lots; else null.
+func _plain_default(name: StringName) -> Variant:
+	var text: String = _entries[name]["default"]
+	match _entries[name]["property"]["type"]:
+		TYPE_FLOAT:
+			return text.to_float() if text.is_valid_float() else null
+		TYPE_BOOL:
+			return text == "true" if text in ["true", "false"] else null
+	var inside: String = text.trim_prefix("\"").trim_suffix("\"")
+	var is_plain: bool = text == "\"%s\"" % inside and not inside.contains("\"")
+	return inside if is_plain and (_entries[name]["property"]["type"] != TYPE_COLOR or Color.html_is_valid(inside)) else null
+
+
+# Where the rules' own value is none for all lots, the least or the first that is allowed.
 func _first_value(name: StringName) -> Variant:
 	var property: Dictionary = _entries[name]["property"]
-	var text: String = _entries[name]["default"]
+	var default: Variant = _plain_default(name)
+	if default != null:
+		return default
 	match property["type"]:
 		TYPE_FLOAT:
-			return text.to_float() if text.is_valid_float() else maxf(0.0, str(property["hint_string"]).get_slice(",", 0).to_float())
+			return maxf(0.0, str(property["hint_string"]).get_slice(",", 0).to_float())
 		TYPE_BOOL:
-			return text == "true"
+			return false
 		TYPE_COLOR:
-			return text.trim_prefix("\"").trim_suffix("\"") if text.begins_with("\"#") else "#ffffff"
-	if property["hint"] == PROPERTY_HINT_ENUM:
-		return str(property["hint_string"]).get_slice(",", 0)
-	return text.trim_prefix("\"").trim_suffix("\"") if text.begins_with("\"") else ""
+			return "#ffffff"
+	return str(property["hint_string"]).get_slice(",", 0) if property["hint"] == PROPERTY_HINT_ENUM else ""

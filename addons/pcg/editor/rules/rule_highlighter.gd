@@ -20,7 +20,7 @@ static func make(language: Object, defined_rules: PackedStringArray) -> CodeHigh
 		highlighter.add_keyword_color(rule, _color("user_type_color"))
 	for entry: Dictionary in language.get("builtins"):
 		_add_builtin(highlighter, entry)
-	for keyword: String in language.get("KEYWORDS"):
+	for keyword: String in language.get("keywords"):
 		highlighter.add_keyword_color(keyword, _color("control_flow_keyword_color" if keyword in ["case", "else"] else "keyword_color"))
 	for annotation: String in language.get("ANNOTATIONS"):
 		highlighter.add_keyword_color(annotation, _color("gdscript/annotation_color"))

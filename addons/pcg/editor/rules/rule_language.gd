@@ -3,7 +3,6 @@ extends RefCounted
 ## The words of one rule language as an editor needs them. Operations, functions and variables come from the tables that the compiler itself uses;
 ## rules and attributes from the text and, through its last good compilation, from what it imports.
 
-const KEYWORDS: PackedStringArray = ["attr", "case", "const", "else", "extends", "false", "import", "start", "style", "true", "version", "with"]
 const ANNOTATIONS := {
 	"StartRule": "Marks the rule that begins.",
 	"Group": "@Group(\"name\" [, order]): the attributes from here on stand in that group.",
@@ -18,11 +17,13 @@ const ANNOTATIONS := {
 	"Angle": "The attribute is an angle in degrees.",
 	"Distance": "The attribute is a length in metres.",
 }
+# Text that somebody is typing compiles seldom, so names that it defines are found by these; what does compile tells them itself.
 const RULE_PATTERN := "(?m)^[ \\t]*([A-Za-z_]\\w*)[ \\t]*(\\([^)\\n]*\\))?[ \\t]*(?:=[ \\t\\n]*.*)?--?>"
 const VALUE_PATTERN := "(?m)^[ \\t]*(?:(attr|const)[ \\t]+)?([A-Za-z_]\\w*)[ \\t]*(\\([^)\\n]*\\))?[ \\t]*=(?!=)"
 
 var dialect: PCGRuleSet.Dialect
 var builtins: Array[Dictionary] = []
+var keywords: PackedStringArray = PCGRuleSet.get_keywords()
 var _helps: Dictionary[String, PackedStringArray] = {}
 var _imported: Array[Dictionary] = [] # definitions, as PCGRuleSet.get_definitions() tells them
 var _rule_pattern := RegEx.create_from_string(RULE_PATTERN)
@@ -96,7 +97,7 @@ func _candidates(prefix: String, text: String) -> Array[Dictionary]:
 		for annotation: String in ANNOTATIONS:
 			result.append({"kind": "keyword", "name": "@" + annotation})
 		return result
-	for keyword: String in KEYWORDS:
+	for keyword: String in keywords:
 		result.append({"kind": "keyword", "name": keyword})
 	result.append_array(find_definitions(text))
 	result.append_array(_imported)
