@@ -241,9 +241,7 @@ Ref<Image> read_image(const std::string &file) {
 	const Result<std::string> bytes = read_picture(EngineTree(), file, limit); // one within a glTF file
 	Ref<Image> image;
 	if (bytes) {
-		PackedByteArray buffer;
-		buffer.resize(int64_t(bytes->size()));
-		std::copy(bytes->begin(), bytes->end(), buffer.ptrw());
+		const PackedByteArray buffer = to_bytes(*bytes);
 		image.instantiate();
 		bytes->starts_with("\x89PNG") ? image->load_png_from_buffer(buffer) : image->load_jpg_from_buffer(buffer);
 	}
@@ -287,10 +285,7 @@ std::optional<Picture> to_picture(const Ref<Image> &image) {
 }
 
 Ref<Image> to_image(const Picture &picture) {
-	PackedByteArray bytes;
-	bytes.resize(int64_t(picture.pixels.size()));
-	std::copy(picture.pixels.begin(), picture.pixels.end(), bytes.ptrw());
-	return Image::create_from_data(int32_t(picture.size.x), int32_t(picture.size.y), false, Image::FORMAT_RGBA8, bytes);
+	return Image::create_from_data(int32_t(picture.size.x), int32_t(picture.size.y), false, Image::FORMAT_RGBA8, to_bytes(picture.pixels));
 }
 
 } // namespace

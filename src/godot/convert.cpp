@@ -1,5 +1,6 @@
 #include "godot/convert.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <godot_cpp/core/error_macros.hpp>
@@ -16,6 +17,17 @@ std::string from_godot(const String &text) {
 	const CharString bytes = text.utf8();
 	return std::string(bytes.get_data(), size_t(bytes.length()));
 }
+
+PackedByteArray to_bytes(std::span<const uint8_t> bytes) {
+	PackedByteArray result;
+	result.resize(int64_t(bytes.size()));
+	std::copy(bytes.begin(), bytes.end(), result.ptrw());
+	return result;
+}
+
+PackedByteArray to_bytes(std::string_view bytes) { return to_bytes(std::span(reinterpret_cast<const uint8_t *>(bytes.data()), bytes.size())); }
+
+std::string_view view_of(const PackedByteArray &bytes) { return { reinterpret_cast<const char *>(bytes.ptr()), size_t(bytes.size()) }; }
 
 PackedStringArray to_godot(const std::vector<std::string> &texts) {
 	PackedStringArray result;

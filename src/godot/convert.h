@@ -15,6 +15,7 @@
 #include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/variant/color.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
+#include <godot_cpp/variant/packed_byte_array.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 #include <godot_cpp/variant/string.hpp>
@@ -43,6 +44,10 @@ inline glm::vec4 from_godot(godot::Color value) { return { value.r, value.g, val
 // Bytes that are not UTF-8 become the replacement character.
 godot::String to_godot(std::string_view text);
 std::string from_godot(const godot::String &text);
+godot::PackedByteArray to_bytes(std::span<const uint8_t> bytes);
+godot::PackedByteArray to_bytes(std::string_view bytes);
+// Holds until the array changes or goes.
+std::string_view view_of(const godot::PackedByteArray &bytes);
 godot::PackedStringArray to_godot(const std::vector<std::string> &texts);
 std::vector<std::string> from_godot(const godot::PackedStringArray &texts);
 

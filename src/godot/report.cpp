@@ -1,5 +1,6 @@
 #include "godot/report.h"
 
+#include <godot_cpp/classes/project_settings.hpp>
 #include <godot_cpp/variant/utility_functions.hpp>
 
 #include "godot/convert.h"
@@ -19,6 +20,13 @@ void report(const Diagnostics &diagnostics) {
 	} else {
 		UtilityFunctions::push_warning(text);
 	}
+}
+
+Error save_to(const String &path, const std::function<void(const std::string &path, Diagnostics &diagnostics)> &writer) {
+	Diagnostics diagnostics;
+	writer(from_godot(ProjectSettings::get_singleton()->globalize_path(path)), diagnostics);
+	report(diagnostics);
+	return diagnostics.has_errors() ? ERR_FILE_CANT_WRITE : OK;
 }
 
 } // namespace pcg

@@ -91,6 +91,23 @@ func test_scenes_come_back_from_the_pool() -> void:
 	check_equal(_view.get_pool_size(), 0, "out of the pool")
 
 
+func test_a_camera_of_its_own_and_one_that_moves_while_the_clock_stands() -> void:
+	check(_view.camera == null, "the viewport's is taken")
+	var other := Camera3D.new()
+	other.position = Vector3(0, 5000, 0)
+	add_child(other)
+	_view.camera = other
+	await get_tree().process_frame
+	await get_tree().process_frame
+	check_equal(_view.get_scene_count(), 0, "nobody is near that one")
+	check_equal(_someone("figure"), -1, "nor in its picture")
+	other.free()
+	check(_view.camera == null, "it is gone")
+	await get_tree().process_frame
+	await get_tree().process_frame
+	check_equal(_view.get_scene_count(), 12, "the viewport's again")
+
+
 func test_switches_are_spread_over_pictures() -> void:
 	_view.switch_budget = 3
 	_camera.position.y = 5000.0

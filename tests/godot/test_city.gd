@@ -171,6 +171,48 @@ func _length(points: PackedVector3Array) -> float:
 	return sum
 
 
+func test_lots_that_are_generated_anew_say_what_is_wrong_with_them_now() -> void:
+	var city: PCGCity = CityForTests.make_city(12)
+	city.lot_types[0].rules = CityForTests.make_rules(CityForTests.HOUSE.replace("X.", "i(\"no_yard.obj\")"))
+	add_child(city)
+	expect_message("no_yard.obj")
+	city.generate_now()
+	var said := func(text: String) -> bool: return city.get_diagnostics().any(func(entry: Dictionary) -> bool: return str(entry["message"]).contains(text))
+	check(said.call("no_yard.obj"), "a file is missing: %s" % [city.get_diagnostics()])
+	city.lot_types[0].rules = CityForTests.make_rules(CityForTests.HOUSE)
+	for lot: PCGLot in city.find_children("*", "PCGLot", true, false).filter(func(node: PCGLot) -> bool: return node.type == "house"):
+		city.regenerate_lot(lot.lot_id)
+	check(not said.call("no_yard.obj"), "no more: %s" % [city.get_diagnostics()])
+	city.lot_types[0].rules = CityForTests.make_rules(CityForTests.HOUSE.replace("X.", "i(\"no_hedge.obj\")"))
+	expect_message("no_hedge.obj")
+	city.regenerate_lot(city.find_children("*", "PCGLot", true, false).filter(func(node: PCGLot) -> bool: return node.type == "house")[0].lot_id)
+	check(said.call("no_hedge.obj"), "another one is: %s" % [city.get_diagnostics()])
+
+
+func test_a_building_has_the_type_and_place_of_its_first_door() -> void:
+	var city: PCGCity = CityForTests.make_city(12)
+	city.position = Vector3(100.0, 2.0, -30.0)
+	add_child(city)
+	city.generate_now()
+	var doors: Dictionary[int, PCGEntrance] = {} # by building
+	for door: PCGEntrance in city.find_children("*", "PCGEntrance", true, false):
+		if not doors.has(door.building_id) or door.entrance_id < doors[door.building_id].entrance_id:
+			doors[door.building_id] = door
+	check_equal(doors.size(), city.get_building_count(), "each building has a door")
+	for building: int in doors:
+		check_equal(city.get_building(building)["type"], doors[building].type, "the type of building %d" % building)
+		check((city.get_building(building)["position"] as Vector3).is_equal_approx(doors[building].global_position), "its place in the world")
+	var door: PCGEntrance = doors[0]
+	door.type = "kiosk"
+	city.update_model()
+	check_equal(city.get_building(0)["type"], "kiosk", "after an edit")
+	door.free()
+	city.update_model()
+	check_equal(city.get_building(0), {}, "without a door it is gone")
+	expect_message("buildings are numbered from 0")
+	check_equal(city.get_building(city.get_building_count()), {}, "one that is not there")
+
+
 func test_every_kind_of_layout_makes_a_city_whose_doors_can_be_reached() -> void:
 	for kind: PCGLayout.Kind in [PCGLayout.KIND_GRID, PCGLayout.KIND_RADIAL, PCGLayout.KIND_GROWN]:
 		var city: PCGCity = CityForTests.make_city(60)

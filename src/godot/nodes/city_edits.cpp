@@ -63,17 +63,6 @@ std::vector<glm::vec3> placed(const Transform3D &frame, const std::vector<glm::v
 	return result;
 }
 
-int saved_id(const Node *node) {
-	if (const PCGEntrance *entrance = Object::cast_to<PCGEntrance>(node)) {
-		return entrance->get_entrance_id();
-	}
-	if (const PCGZone *zone = Object::cast_to<PCGZone>(node)) {
-		return zone->get_zone_id();
-	}
-	const PCGObject *object = Object::cast_to<PCGObject>(node);
-	return object ? object->get_object_id() : -1;
-}
-
 } // namespace
 
 void CityEdits::follow(std::shared_ptr<CityState> state) {
@@ -92,15 +81,13 @@ void CityEdits::follow(std::shared_ptr<CityState> state) {
 void CityEdits::forget_ids() {
 	for (const uint64_t object : _noted) {
 		Node3D *node = node_of<Node3D>(object);
-		if (!is_ours(node)) {
+		CityLink *link = is_ours(node) ? CityLink::of(node) : nullptr;
+		if (!link || link->kind() == Kind::Lot) {
 			continue;
 		}
+		link->set_id(-1);
 		if (PCGEntrance *entrance = Object::cast_to<PCGEntrance>(node)) {
-			entrance->bind(-1, -1);
-		} else if (PCGZone *zone = Object::cast_to<PCGZone>(node)) {
-			zone->bind(-1);
-		} else if (PCGObject *thing = Object::cast_to<PCGObject>(node)) {
-			thing->bind(-1);
+			entrance->lead_into(-1);
 		}
 	}
 }
@@ -110,19 +97,19 @@ void CityEdits::restore_ids() {
 	std::array<size_t, kind_count> counts{};
 	size_t buildings = 0;
 	for (const uint64_t object : _noted) {
-		const Node *node = node_of<Node>(object);
-		const int id = node ? saved_id(node) : -1;
-		if (id < 0 || id >= most) {
+		Node *node = node_of<Node>(object);
+		const CityLink *link = node ? CityLink::of(node) : nullptr;
+		if (!link || link->id() < 0 || link->id() >= most) {
 			continue;
 		}
+		size_t &count = counts[size_t(link->kind())];
+		count = std::max(count, size_t(link->id()) + 1);
 		const PCGEntrance *entrance = Object::cast_to<PCGEntrance>(node);
-		const Kind kind = entrance ? EntranceKind : Object::cast_to<PCGZone>(node) ? ZoneKind : ObjectKind;
-		counts[kind] = std::max(counts[kind], size_t(id) + 1);
 		if (entrance && entrance->get_building_id() >= 0 && entrance->get_building_id() < most) {
 			buildings = std::max(buildings, size_t(entrance->get_building_id()) + 1);
 		}
 	}
-	_state->city.model.reserve_ids(buildings, counts[EntranceKind], counts[ZoneKind], counts[ObjectKind]);
+	_state->city.model.reserve_ids(buildings, counts[size_t(Kind::Entrance)], counts[size_t(Kind::Zone)], counts[size_t(Kind::Object)]);
 }
 
 CityEdits::Changes CityEdits::take_in() {
@@ -175,10 +162,10 @@ void CityEdits::let_go(uint64_t object) {
 	}
 	const auto [kind, id] = found->second;
 	_bonds.erase(found);
-	_nodes[kind][id] = 0;
+	_nodes[size_t(kind)][id] = 0;
 	CityModel &model = _state->city.model;
 	switch (kind) {
-		case EntranceKind: {
+		case Kind::Entrance: {
 			const BuildingId building = model.entrance(EntranceId(id)).building;
 			model.remove_entrance(EntranceId(id));
 			if (index_of(building) < model.buildings().size() && model.building(building).entrances.empty()) {
@@ -187,9 +174,9 @@ void CityEdits::let_go(uint64_t object) {
 			_changes.has_new_doors = true;
 			break;
 		}
-		case ZoneKind: model.remove_zone(ZoneId(id)); break;
-		case ObjectKind: model.remove_object(ObjectId(id)); break;
-		case kind_count: break;
+		case Kind::Zone: model.remove_zone(ZoneId(id)); break;
+		case Kind::Object: model.remove_object(ObjectId(id)); break;
+		case Kind::Lot: break;
 	}
 }
 
@@ -197,19 +184,19 @@ Transform3D CityEdits::frame_of(const Node3D *node) const {
 	return _city->get_global_transform().affine_inverse() * node->get_global_transform();
 }
 
-// The node's record under `kind`: the one that it has, else that of its own id if no other node has it, else a new one (Invalid).
-template <typename Id> Id CityEdits::take_id(const Node3D *node, Kind kind, int wanted, size_t count) {
+// The node's record: the one that it has, else that of its own id if no other node has it, else a new one (Invalid).
+template <typename Id> Id CityEdits::take_id(const Node3D *node, const CityLink &link, size_t count) {
 	const auto known = _bonds.find(node->get_instance_id());
 	if (known != _bonds.end()) {
 		return Id(known->second.id);
 	}
-	std::vector<uint64_t> &nodes = _nodes[kind];
+	std::vector<uint64_t> &nodes = _nodes[size_t(link.kind())];
 	nodes.resize(std::max(nodes.size(), count));
-	const bool is_free = wanted >= 0 && size_t(wanted) < count && nodes[size_t(wanted)] == 0;
-	const uint32_t id = is_free ? uint32_t(wanted) : uint32_t(count);
+	const bool is_free = link.id() >= 0 && size_t(link.id()) < count && nodes[size_t(link.id())] == 0;
+	const uint32_t id = is_free ? uint32_t(link.id()) : uint32_t(count);
 	nodes.resize(std::max(nodes.size(), size_t(id) + 1));
 	nodes[id] = node->get_instance_id();
-	_bonds[node->get_instance_id()] = { kind, id };
+	_bonds[node->get_instance_id()] = { link.kind(), id };
 	return is_free ? Id(id) : Id::Invalid;
 }
 
@@ -255,7 +242,7 @@ BuildingId CityEdits::building_for(PCGEntrance *node) {
 void CityEdits::take_in_entrance(PCGEntrance *node) {
 	CityModel &model = _state->city.model;
 	const bool is_new = !_bonds.contains(node->get_instance_id());
-	EntranceId id = take_id<EntranceId>(node, EntranceKind, node->get_entrance_id(), model.entrances().size());
+	EntranceId id = take_id<EntranceId>(node, node->link(), model.entrances().size());
 	const Transform3D frame = frame_of(node);
 	Entrance entrance;
 	entrance.type = model.types.add(from_godot(node->get_type()));
@@ -274,18 +261,19 @@ void CityEdits::take_in_entrance(PCGEntrance *node) {
 		}
 		model.put_entrance(id, entrance);
 	}
-	node->bind(int(index_of(id)), int(index_of(entrance.building)));
+	node->link().set_id(int(index_of(id)));
+	node->lead_into(int(index_of(entrance.building)));
 	_changes.has_new_doors = true;
 }
 
 void CityEdits::take_in_zone(PCGZone *node) {
 	CityModel &model = _state->city.model;
-	const ZoneId id = take_id<ZoneId>(node, ZoneKind, node->get_zone_id(), model.zones().size());
+	const ZoneId id = take_id<ZoneId>(node, node->link(), model.zones().size());
 	const Transform3D frame = frame_of(node);
 	const float height = float(node->get_height() * frame.basis.get_column(1).length());
 	Zone zone{ model.types.add(from_godot(node->get_type())), placed(frame, from_godot(node->get_polygon())), height, lot_id_above(node), false };
 	if (!is_valid(id)) {
-		node->bind(int(index_of(model.add_zone(std::move(zone)))));
+		node->link().set_id(int(index_of(model.add_zone(std::move(zone)))));
 		return;
 	}
 	const Zone &old = model.zone(id);
@@ -296,7 +284,7 @@ void CityEdits::take_in_zone(PCGZone *node) {
 
 void CityEdits::take_in_object(PCGObject *node) {
 	CityModel &model = _state->city.model;
-	const ObjectId id = take_id<ObjectId>(node, ObjectKind, node->get_object_id(), model.objects().size());
+	const ObjectId id = take_id<ObjectId>(node, node->link(), model.objects().size());
 	const Transform3D frame = frame_of(node);
 	CityObject object;
 	object.type = model.types.add(from_godot(node->get_type()));
@@ -309,7 +297,7 @@ void CityEdits::take_in_object(PCGObject *node) {
 	}
 	set_footprint(node->get_instance_id(), placed(frame, node->footprint_corners()));
 	if (!is_valid(id)) {
-		node->bind(int(index_of(model.add_object(std::move(object)))));
+		node->link().set_id(int(index_of(model.add_object(std::move(object)))));
 		return;
 	}
 	const CityObject &old = model.object(id);
@@ -334,7 +322,7 @@ void CityEdits::set_footprint(uint64_t object, std::vector<glm::vec3> corners) {
 
 void CityEdits::release(const Node *node) {
 	if (const auto found = _bonds.find(node->get_instance_id()); found != _bonds.end()) {
-		_nodes[found->second.kind][found->second.id] = 0;
+		_nodes[size_t(found->second.kind)][found->second.id] = 0;
 		_bonds.erase(found);
 	}
 	set_footprint(node->get_instance_id(), {});
@@ -369,7 +357,7 @@ CityEdits::Patches CityEdits::patches() const {
 }
 
 void CityEdits::mark_reach(std::span<const Reach> verdicts) const {
-	const std::vector<uint64_t> &nodes = _nodes[EntranceKind];
+	const std::vector<uint64_t> &nodes = _nodes[size_t(Kind::Entrance)];
 	for (size_t i = 0; i < std::min(verdicts.size(), nodes.size()); ++i) {
 		PCGEntrance *node = node_of<PCGEntrance>(nodes[i]);
 		const bool is_reachable = verdicts[i] == Reach::Reachable || verdicts[i] == Reach::Removed;

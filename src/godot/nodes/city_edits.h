@@ -11,6 +11,7 @@
 #include <godot_cpp/variant/transform3d.hpp>
 
 #include "godot/nodes/city_job.h"
+#include "godot/nodes/city_link.h"
 
 namespace pcg {
 
@@ -52,9 +53,10 @@ public:
 	PCGLot *lot_node(LotId lot) const;
 
 private:
-	enum Kind : uint8_t { EntranceKind, ZoneKind, ObjectKind, kind_count };
+	using Kind = CityLink::Kind;
+	static constexpr size_t kind_count = 4;
 	struct Bond {
-		Kind kind = EntranceKind;
+		Kind kind = Kind::Entrance;
 		uint32_t id = 0;
 	};
 	struct LotPlace {
@@ -72,13 +74,13 @@ private:
 	bool is_ours(godot::Node3D *node) const;
 	godot::Transform3D frame_of(const godot::Node3D *node) const; // in the city
 	BuildingId building_for(PCGEntrance *node);
-	template <typename Id> Id take_id(const godot::Node3D *node, Kind kind, int wanted, size_t count);
+	template <typename Id> Id take_id(const godot::Node3D *node, const CityLink &link, size_t count);
 
 	PCGCity *_city;
 	std::shared_ptr<CityState> _state;
 	std::vector<uint64_t> _noted; // objects; some may be gone
 	std::unordered_map<uint64_t, Bond> _bonds; // by object
-	std::array<std::vector<uint64_t>, kind_count> _nodes; // by id; 0 = none
+	std::array<std::vector<uint64_t>, kind_count> _nodes; // by Kind, then by id; 0 = none. Lots have no records, so none of theirs
 	std::map<uint64_t, LotPlace> _lots; // by object
 	std::unordered_map<uint64_t, BuildingId> _building_of_lot; // by object
 	std::unordered_map<uint32_t, uint64_t> _lot_of_building;

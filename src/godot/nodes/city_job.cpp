@@ -1,5 +1,8 @@
 #include "godot/nodes/city_job.h"
 
+#include <chrono>
+#include <thread>
+
 #include "core/city/walkable.h"
 #include "core/io/file_assets.h"
 #include "core/io/geojson.h"
@@ -67,6 +70,19 @@ bool CityJob::grow_again(const std::vector<LotId> &lots) {
 		is_good = regenerate_lot(state->city, lot, _input.rules, how, diagnostics) && is_good;
 	}
 	return is_good;
+}
+
+void CityJob::do_beside(const std::function<void()> &work) {
+	std::atomic<bool> is_done{ false };
+	std::thread worker([&] {
+		work();
+		is_done = true;
+	});
+	while (!is_done) {
+		main->run_waiting();
+		std::this_thread::sleep_for(std::chrono::microseconds(100));
+	}
+	worker.join();
 }
 
 bool CityJob::join() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -49,6 +50,9 @@ public:
 	bool join();
 	// Builds lots of `state` anew. Meanwhile as in grow().
 	bool grow_again(const std::vector<LotId> &lots);
+	// Does `work`, one of the above, on a thread of its own while this one, the main thread, answers what it asks: lots may ask for what only the main
+	// thread gives, which so must not build them. Returns when it is done.
+	void do_beside(const std::function<void()> &work);
 
 	const std::shared_ptr<MainThread> main = std::make_shared<MainThread>();
 	std::atomic<bool> is_cancelled{ false };

@@ -83,6 +83,12 @@ void CityLink::notify(Node3D *node, int what) {
 	}
 }
 
+void CityLink::warn(const Node3D *node, PackedStringArray &warnings) {
+	if (node->is_in_group(lost_group)) {
+		warnings.push_back("This node belongs to no city. Put it below a PCGCity, or where one has its ground.");
+	}
+}
+
 void CityLink::note_change(Node3D *node) const {
 	if (PCGCity *owner = city()) {
 		owner->note_edit(node);

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include <godot_cpp/classes/node3d.hpp>
+#include <godot_cpp/variant/packed_string_array.hpp>
 
 namespace pcg {
 
@@ -12,6 +13,14 @@ class PCGCity;
 // in the tree whose ground it stands on. Whatever happens to the node is noted there.
 class CityLink {
 public:
+	enum class Kind : uint8_t { Lot, Entrance, Zone, Object };
+
+	explicit CityLink(Kind kind) : _kind(kind) {}
+	Kind kind() const { return _kind; }
+	// Which record in the city's model is the node's, or which lot of its layout; -1 = none yet. Stored with the scene.
+	int id() const { return _id; }
+	void set_id(int id) { _id = id; }
+
 	// For the node's _notification().
 	void notify(godot::Node3D *node, int what);
 	// A property that the model knows of was set.
@@ -22,11 +31,15 @@ public:
 	PCGCity *city() const;
 	// Again, because a city has come.
 	void find_city(godot::Node3D *node);
+	// For the node's _get_configuration_warnings().
+	static void warn(const godot::Node3D *node, godot::PackedStringArray &warnings);
 
 	// Nodes in the tree that belong to no city are in this group.
 	static constexpr const char *lost_group = "pcg_without_city";
 
 private:
+	Kind _kind;
+	int _id = -1;
 	uint64_t _city = 0; // of the object
 };
 

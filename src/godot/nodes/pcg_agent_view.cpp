@@ -3,7 +3,6 @@
 #include <cstring>
 
 #include <godot_cpp/classes/array_mesh.hpp>
-#include <godot_cpp/classes/camera3d.hpp>
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/multi_mesh_instance3d.hpp>
 #include <godot_cpp/classes/resource_loader.hpp>
@@ -11,6 +10,7 @@
 #include <godot_cpp/classes/shader_material.hpp>
 #include <godot_cpp/classes/viewport.hpp>
 #include <godot_cpp/core/error_macros.hpp>
+#include <godot_cpp/core/object.hpp>
 #include <godot_cpp/variant/projection.hpp>
 
 #include "godot/convert.h"
@@ -143,10 +143,15 @@ void PCGAgentView::make_figures() {
 	}
 }
 
+Camera3D *PCGAgentView::get_camera() const { return Object::cast_to<Camera3D>(ObjectDB::get_instance(_camera_id)); }
+
 // In this node's own coordinates, as are the crowd's.
 Eye PCGAgentView::eye() const {
-	const Camera3D *camera = is_inside_tree() ? get_viewport()->get_camera_3d() : nullptr;
-	if (camera == nullptr) {
+	const Camera3D *camera = get_camera();
+	if (!camera && is_inside_tree()) {
+		camera = get_viewport()->get_camera_3d();
+	}
+	if (!camera || !camera->is_inside_tree() || !is_inside_tree()) {
 		return {};
 	}
 	const glm::mat4 to_camera = glm::inverse(to_matrix(camera->get_camera_transform()));
@@ -173,11 +178,14 @@ void PCGAgentView::measure_scale(double simulated, double wall) {
 	}
 }
 
-void PCGAgentView::show_at(SimTime time) {
+void PCGAgentView::show_at(SimTime time) { show(time, wall_seconds()); }
+
+void PCGAgentView::show_again(SimTime time) { show(time, 0.0); }
+
+void PCGAgentView::show(SimTime time, double seconds) {
 	if (!_crowd) {
 		return;
 	}
-	const double seconds = wall_seconds();
 	take_moves(seconds);
 	_crowd->update(time, eye(), _limits);
 	measure_scale(_crowd->step_seconds(), seconds);

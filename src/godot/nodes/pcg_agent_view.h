@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include <godot_cpp/classes/camera3d.hpp>
 #include <godot_cpp/classes/multi_mesh.hpp>
 #include <godot_cpp/classes/navigation_agent3d.hpp>
 #include <godot_cpp/classes/node3d.hpp>
@@ -38,6 +39,10 @@ public:
 	void set_switch_budget(int p_count);
 	int get_switch_budget() const { return int(_limits.switch_budget); }
 
+	// Null: the current one of the viewport. Neither kept in scenes nor shown in the inspector.
+	void set_camera(godot::Camera3D *p_camera) { _camera_id = p_camera ? p_camera->get_instance_id() : 0; }
+	godot::Camera3D *get_camera() const;
+
 	int get_agent_count() const { return _crowd ? int(_crowd->size()) : 0; }
 	int get_scene_count() const { return int(_agents.size()); }
 	int get_pool_size() const { return int(_pool.size()); }
@@ -52,6 +57,8 @@ public:
 	void open(std::shared_ptr<Crowd> crowd, const godot::AABB &bounds);
 	void close();
 	void show_at(SimTime time);
+	// The same while the clock stands: only the camera has moved.
+	void show_again(SimTime time);
 
 protected:
 	static void _bind_methods();
@@ -72,6 +79,7 @@ private:
 	void make_figures();
 	void upload(size_t kind);
 	Eye eye() const;
+	void show(SimTime time, double seconds);
 	double wall_seconds();
 	void measure_scale(double simulated, double wall);
 	// agent_scenes.cpp
@@ -86,6 +94,7 @@ private:
 
 	DetailLimits _limits;
 	AgentPool _pool;
+	uint64_t _camera_id = 0;
 	std::shared_ptr<Crowd> _crowd;
 	std::vector<Agent> _agents;
 	double _scale = 0.0; // seconds of simulated time for each of the pictures'

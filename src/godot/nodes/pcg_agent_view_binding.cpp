@@ -9,6 +9,9 @@ namespace pcg {
 
 void PCGAgentView::_bind_methods() {
 	bind_limits();
+	ClassDB::bind_method(D_METHOD("set_camera", "camera"), &PCGAgentView::set_camera);
+	ClassDB::bind_method(D_METHOD("get_camera"), &PCGAgentView::get_camera);
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "camera", PROPERTY_HINT_NODE_TYPE, "Camera3D", PROPERTY_USAGE_NONE), "set_camera", "get_camera");
 	ClassDB::bind_method(D_METHOD("get_agent_count"), &PCGAgentView::get_agent_count);
 	ClassDB::bind_method(D_METHOD("get_scene_count"), &PCGAgentView::get_scene_count);
 	ClassDB::bind_method(D_METHOD("get_pool_size"), &PCGAgentView::get_pool_size);

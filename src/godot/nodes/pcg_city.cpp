@@ -1,7 +1,5 @@
 #include "godot/nodes/pcg_city.h"
 
-#include <thread>
-
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/worker_thread_pool.hpp>
 #include <godot_cpp/core/error_macros.hpp>
@@ -165,9 +163,6 @@ bool PCGCity::generate_now() {
 	}
 	while (is_generating()) {
 		go_on();
-		if (_task >= 0) {
-			std::this_thread::sleep_for(std::chrono::microseconds(200));
-		}
 	}
 	return is_generated() && !_diagnostics.has_errors();
 }
@@ -267,10 +262,10 @@ void PCGCity::start_task(Stage stage) {
 	_stage = stage;
 	_stage_start = std::chrono::steady_clock::now();
 	_job->progress = 0.0f;
-	if (_is_async || stage == Stage::Growing) { // lots may ask for what only the main thread gives, which so must not build them
+	if (_is_async) {
 		_task = WorkerThreadPool::get_singleton()->add_task(callable_mp(this, &PCGCity::run_task), true, "PCGCity");
 	} else {
-		run_task();
+		_job->do_beside([this] { run_task(); });
 	}
 }
 

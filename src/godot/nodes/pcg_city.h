@@ -75,7 +75,11 @@ public:
 	godot::PackedVector3Array find_path(const godot::Vector3 &p_from, const godot::Vector3 &p_to) const;
 	double get_distance(int p_building, int p_other) const;
 	int get_building_count() const;
+	godot::Dictionary get_building(int p_building) const;
 	godot::Error save_gltf(const godot::String &p_path) const;
+
+	// From the city's own coordinates to the world's; outside of the tree to the parent's.
+	godot::Transform3D frame() const { return is_inside_tree() ? get_global_transform() : get_transform(); }
 
 	// Null before the first generation. Whoever simulates keeps a share, so that a new generation does not pull the ground from under it.
 	std::shared_ptr<const CityState> state() const { return _state; }
@@ -107,6 +111,7 @@ private:
 	void take_in_edits();
 	void go_on_with_ground();
 	bool regenerate(const std::vector<LotId> &lots);
+	void replace_diagnostics(const std::vector<LotId> &lots, const CityJob &job);
 	void go_on();
 	void go_on_with_stage();
 	void start_task(Stage stage);

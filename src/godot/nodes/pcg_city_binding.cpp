@@ -63,6 +63,7 @@ void PCGCity::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_diagnostics"), &PCGCity::get_diagnostics);
 	ClassDB::bind_method(D_METHOD("get_statistics"), &PCGCity::get_statistics);
 	ClassDB::bind_method(D_METHOD("get_building_count"), &PCGCity::get_building_count);
+	ClassDB::bind_method(D_METHOD("get_building", "building"), &PCGCity::get_building);
 	ClassDB::bind_method(D_METHOD("find_path", "from", "to"), &PCGCity::find_path);
 	ClassDB::bind_method(D_METHOD("get_distance", "building", "other"), &PCGCity::get_distance);
 	ClassDB::bind_method(D_METHOD("update_model"), &PCGCity::update_model);

@@ -1,4 +1,4 @@
-#include <thread>
+#include <set>
 
 #include <godot_cpp/classes/navigation_mesh.hpp>
 #include <godot_cpp/classes/navigation_region3d.hpp>
@@ -18,26 +18,6 @@
 using namespace godot;
 
 namespace pcg {
-
-namespace {
-
-// Lots may ask for what only the main thread gives, which so must not build them.
-bool grow_beside(CityJob &job, const std::vector<LotId> &lots) {
-	std::atomic<bool> is_done{ false };
-	bool is_good = false;
-	std::thread worker([&] {
-		is_good = job.grow_again(lots);
-		is_done = true;
-	});
-	while (!is_done) {
-		job.main->run_waiting();
-		std::this_thread::sleep_for(std::chrono::microseconds(100));
-	}
-	worker.join();
-	return is_good;
-}
-
-} // namespace
 
 BakeSettings PCGCity::bake_settings() const {
 	NavigationServer3D *server = NavigationServer3D::get_singleton();
@@ -153,22 +133,40 @@ bool PCGCity::regenerate(const std::vector<LotId> &lots) {
 	}
 	CityJob job(std::move(input));
 	job.state = _state;
-	const bool is_good = grow_beside(job, wanted);
+	job.do_beside([&] { job.has_succeeded = job.grow_again(wanted); });
 	for (const auto &[lot, node] : nodes) {
 		builder.fill_lot(node, lot);
 		_ground->touch(lot);
 	}
 	_saved.clear();
+	replace_diagnostics(wanted, job);
 	report(job.diagnostics);
 	update_model();
-	return is_good && !job.diagnostics.has_errors();
+	return job.has_succeeded && !job.diagnostics.has_errors();
+}
+
+// What the rule files of these lots said before was said of other rules, or is said again.
+void PCGCity::replace_diagnostics(const std::vector<LotId> &lots, const CityJob &job) {
+	std::set<std::string> files;
+	for (const LotId lot : lots) {
+		const auto rules = job.input().rules.find(_state->city.layout.lot(lot).type);
+		if (rules != job.input().rules.end()) {
+			files.insert(rules->second.program->files.begin(), rules->second.program->files.end());
+		}
+	}
+	Diagnostics kept;
+	for (const Diagnostic &diagnostic : _diagnostics.list()) {
+		if (!files.contains(diagnostic.file)) {
+			kept.add(diagnostic);
+		}
+	}
+	kept.append(job.diagnostics);
+	_diagnostics = std::move(kept);
 }
 
 PackedByteArray PCGCity::get_saved_city() const {
 	if (_state && _saved.is_empty()) {
-		const std::string bytes = city_bytes(_state->city);
-		_saved.resize(int64_t(bytes.size()));
-		std::copy(bytes.begin(), bytes.end(), _saved.ptrw());
+		_saved = to_bytes(city_bytes(_state->city));
 	}
 	return _saved;
 }
@@ -187,9 +185,8 @@ void PCGCity::read_regions(CityState &state) const {
 
 // The nodes came with the scene. False if they are of no use, which is told.
 bool PCGCity::load_saved() {
-	const std::string bytes(reinterpret_cast<const char *>(_saved.ptr()), size_t(_saved.size()));
 	_diagnostics = Diagnostics();
-	std::optional<City> city = city_from_bytes(bytes, _diagnostics);
+	std::optional<City> city = city_from_bytes(view_of(_saved), _diagnostics);
 	if (!city) {
 		report(_diagnostics);
 		return false;

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <limits>
 
-#include <godot_cpp/classes/project_settings.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 
 #include "core/io/gltf.h"
@@ -16,16 +15,24 @@ namespace pcg {
 
 Error PCGCity::save_gltf(const String &p_path) const {
 	ERR_FAIL_COND_V_MSG(!_state, ERR_UNCONFIGURED, "PCGCity: there is no city yet. Call generate() and wait for city_generated.");
-	Diagnostics diagnostics;
 	const EngineTree pictures;
-	write_glb(_state->city, from_godot(ProjectSettings::get_singleton()->globalize_path(p_path)), diagnostics, &pictures);
-	report(diagnostics);
-	return diagnostics.has_errors() ? ERR_FILE_CANT_WRITE : OK;
+	return save_to(p_path, [&](const std::string &path, Diagnostics &diagnostics) { write_glb(_state->city, path, diagnostics, &pictures); });
 }
 
 TypedArray<Dictionary> PCGCity::get_diagnostics() const { return to_godot(_diagnostics); }
 
 int PCGCity::get_building_count() const { return _state ? int(_state->city.model.buildings().size()) : 0; }
+
+Dictionary PCGCity::get_building(int p_building) const {
+	ERR_FAIL_COND_V_MSG(p_building < 0 || p_building >= get_building_count(), Dictionary(), "PCGCity: buildings are numbered from 0 to get_building_count() - 1.");
+	Dictionary result;
+	const CityModel &model = _state->city.model;
+	if (const EntranceId door = model.entrance_of(BuildingId(p_building)); is_valid(door)) {
+		result["type"] = to_godot(model.types.name(model.entrance(door).type));
+		result["position"] = frame().xform(to_godot(model.entrance(door).position));
+	}
+	return result;
+}
 
 Dictionary PCGCity::get_statistics() const {
 	Dictionary result;
@@ -62,12 +69,11 @@ Dictionary PCGCity::get_statistics() const {
 
 PackedVector3Array PCGCity::find_path(const Vector3 &p_from, const Vector3 &p_to) const {
 	ERR_FAIL_COND_V_MSG(!_state, PackedVector3Array(), "PCGCity: there is no city yet. Call generate() and wait for city_generated.");
-	const Transform3D frame = is_inside_tree() ? get_global_transform() : get_transform();
-	const Transform3D inverse = frame.affine_inverse();
+	const Transform3D inverse = frame().affine_inverse();
 	const std::vector<glm::vec3> path = _state->paths->path(from_godot(inverse.xform(p_from)), from_godot(inverse.xform(p_to)));
 	PackedVector3Array points;
 	for (const glm::vec3 &point : path) {
-		points.push_back(frame.xform(to_godot(point)));
+		points.push_back(frame().xform(to_godot(point)));
 	}
 	return points;
 }

@@ -50,9 +50,7 @@ void PCGEntrance::set_reachable(bool p_reachable) {
 
 PackedStringArray PCGEntrance::_get_configuration_warnings() const {
 	PackedStringArray warnings;
-	if (is_in_group(CityLink::lost_group)) {
-		warnings.push_back("This node belongs to no city. Put it below a PCGCity, or where one has its ground.");
-	}
+	CityLink::warn(this, warnings);
 	if (_type.is_empty()) {
 		warnings.push_back("This entrance has no type. Give it one that rules ask for, such as \"house\", \"school\" or \"workplace\".");
 	}

@@ -19,18 +19,15 @@ public:
 	int get_capacity() const { return _capacity; }
 	void set_building_id(int p_id);
 	int get_building_id() const { return _building_id; }
-	void set_entrance_id(int p_id) { _entrance_id = p_id; }
-	int get_entrance_id() const { return _entrance_id; }
+	void set_entrance_id(int p_id) { _link.set_id(p_id); }
+	int get_entrance_id() const { return _link.id(); }
 	void set_reachable(bool p_reachable);
 	bool is_reachable() const { return _is_reachable; }
 
 	godot::PackedStringArray _get_configuration_warnings() const override;
 
-	// Which records in the city's model are this door's, written by the city.
-	void bind(int p_entrance, int p_building) {
-		_entrance_id = p_entrance;
-		_building_id = p_building;
-	}
+	// The same as set_building_id(), by the city itself.
+	void lead_into(int p_building) { _building_id = p_building; }
 	CityLink &link() { return _link; }
 
 protected:
@@ -38,11 +35,10 @@ protected:
 	void _notification(int p_what) { _link.notify(this, p_what); }
 
 private:
-	CityLink _link;
+	CityLink _link{ CityLink::Kind::Entrance };
 	godot::String _type;
 	int _capacity = 0;
 	int _building_id = -1;
-	int _entrance_id = -1;
 	bool _is_reachable = true;
 };
 

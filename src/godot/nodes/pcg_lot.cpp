@@ -22,7 +22,7 @@ void PCGLot::_bind_methods() {
 }
 
 void PCGLot::set_lot_id(int p_id) {
-	_lot_id = p_id;
+	_link.set_id(p_id);
 	_link.note_change(this);
 }
 

@@ -14,7 +14,7 @@ class PCGLot : public godot::Node3D {
 
 public:
 	void set_lot_id(int p_id);
-	int get_lot_id() const { return _lot_id; }
+	int get_lot_id() const { return _link.id(); }
 	void set_block_id(int p_id) { _block_id = p_id; }
 	int get_block_id() const { return _block_id; }
 	void set_type(const godot::String &p_type) { _type = p_type; }
@@ -29,8 +29,7 @@ protected:
 	void _notification(int p_what) { _link.notify(this, p_what); }
 
 private:
-	CityLink _link;
-	int _lot_id = -1;
+	CityLink _link{ CityLink::Kind::Lot };
 	int _block_id = -1;
 	godot::String _type;
 	godot::PackedVector3Array _polygon;

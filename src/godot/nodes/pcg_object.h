@@ -24,8 +24,8 @@ public:
 	godot::String get_type() const { return _type; }
 	void set_places(const godot::TypedArray<godot::Transform3D> &p_places);
 	godot::TypedArray<godot::Transform3D> get_places() const { return _places; }
-	void set_object_id(int p_id) { _object_id = p_id; }
-	int get_object_id() const { return _object_id; }
+	void set_object_id(int p_id) { _link.set_id(p_id); }
+	int get_object_id() const { return _link.id(); }
 
 	// Metres along the node's x and z, around it, on which nobody can walk; 0 = nothing stands in the way.
 	void set_footprint(const godot::Vector2 &p_metres);
@@ -34,8 +34,6 @@ public:
 
 	godot::PackedStringArray _get_configuration_warnings() const override;
 
-	// Which record in the city's model is this object's, written by the city.
-	void bind(int p_object) { _object_id = p_object; }
 	CityLink &link() { return _link; }
 
 protected:
@@ -43,11 +41,10 @@ protected:
 	void _notification(int p_what) { _link.notify(this, p_what); }
 
 private:
-	CityLink _link;
+	CityLink _link{ CityLink::Kind::Object };
 	godot::String _type;
 	godot::TypedArray<godot::Transform3D> _places;
 	godot::Vector2 _footprint;
-	int _object_id = -1;
 };
 
 } // namespace pcg

@@ -20,15 +20,13 @@ public:
 	godot::PackedVector3Array get_polygon() const { return _polygon; }
 	void set_height(double p_height);
 	double get_height() const { return _height; }
-	void set_zone_id(int p_id) { _zone_id = p_id; }
-	int get_zone_id() const { return _zone_id; }
+	void set_zone_id(int p_id) { _link.set_id(p_id); }
+	int get_zone_id() const { return _link.id(); }
 	// Whether a point of the world lies above the ground outline; heights are ignored.
 	bool contains(const godot::Vector3 &p_point) const;
 
 	godot::PackedStringArray _get_configuration_warnings() const override;
 
-	// Which record in the city's model is this zone's, written by the city.
-	void bind(int p_zone) { _zone_id = p_zone; }
 	CityLink &link() { return _link; }
 
 protected:
@@ -36,11 +34,10 @@ protected:
 	void _notification(int p_what) { _link.notify(this, p_what); }
 
 private:
-	CityLink _link;
+	CityLink _link{ CityLink::Kind::Zone };
 	godot::String _type;
 	godot::PackedVector3Array _polygon;
 	double _height = 3.0;
-	int _zone_id = -1;
 };
 
 } // namespace pcg

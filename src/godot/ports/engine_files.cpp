@@ -38,7 +38,7 @@ Result<std::string> read_engine_file(const String &path, uint64_t limit) {
 		return failure(path, "huge-file", "the file is larger than " + std::to_string(limit >> 20) + " MiB", "this is hardly the file that you mean");
 	}
 	const PackedByteArray bytes = file->get_buffer(int64_t(file->get_length()));
-	return std::string(reinterpret_cast<const char *>(bytes.ptr()), size_t(bytes.size()));
+	return std::string(view_of(bytes));
 }
 
 Result<std::string> EngineFiles::read(const std::string &path) { return read_engine_file(to_godot(std::string_view(path))); }

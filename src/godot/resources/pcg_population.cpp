@@ -1,6 +1,5 @@
 #include "godot/resources/pcg_population.h"
 
-#include <godot_cpp/classes/project_settings.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
 #include "core/io/atomic_file.h"
@@ -66,10 +65,7 @@ void PCGPopulation::reload() {
 }
 
 Error PCGPopulation::save_csv(const String &p_path) const {
-	Diagnostics diagnostics;
-	write_file(from_godot(ProjectSettings::get_singleton()->globalize_path(p_path)), from_godot(_source), diagnostics);
-	report(diagnostics);
-	return diagnostics.has_errors() ? ERR_FILE_CANT_WRITE : OK;
+	return save_to(p_path, [this](const std::string &path, Diagnostics &diagnostics) { write_file(path, from_godot(_source), diagnostics); });
 }
 
 Population PCGPopulation::read(const CityModel &city, Diagnostics &diagnostics) const {

@@ -1,9 +1,11 @@
 #include "godot/resources/pcg_rule_set_saver.h"
 
-#include <godot_cpp/classes/dir_access.hpp>
-#include <godot_cpp/classes/file_access.hpp>
 #include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/core/error_macros.hpp>
 
+#include "core/io/atomic_file.h"
+#include "godot/convert.h"
+#include "godot/report.h"
 #include "godot/resources/pcg_rule_set.h"
 
 using namespace godot;
@@ -13,13 +15,7 @@ namespace pcg {
 Error PCGRuleSetSaver::_save(const Ref<Resource> &p_resource, const String &p_path, uint32_t) {
 	const Ref<PCGRuleSet> rules = p_resource;
 	ERR_FAIL_COND_V(rules.is_null(), ERR_INVALID_PARAMETER);
-	const String partial = p_path + String(".tmp"); // an editor that ends half-way leaves the old rules
-	Ref<FileAccess> file = FileAccess::open(partial, FileAccess::WRITE);
-	ERR_FAIL_COND_V_MSG(file.is_null(), ERR_FILE_CANT_WRITE, String("PCGRuleSet: cannot write ") + p_path + String(". May you write in this folder?"));
-	const bool is_written = file->store_string(rules->get_source());
-	file->close();
-	ERR_FAIL_COND_V_MSG(!is_written, ERR_FILE_CANT_WRITE, String("PCGRuleSet: ") + p_path + String(" could not be written. Is the disk full?"));
-	const Error error = DirAccess::rename_absolute(partial, p_path);
+	const Error error = save_to(p_path, [&rules](const std::string &path, Diagnostics &diagnostics) { write_file(path, from_godot(rules->get_source()), diagnostics); });
 	if (error == OK && rules->get_file() != p_path) {
 		rules->read_file(p_path);
 	}
