@@ -3,8 +3,6 @@ extends Node3D
 ## A camera that orbits a point on the ground: right or middle button turns, the wheel comes nearer, WASD or the left button moves.
 ## It can follow somebody; moving lets go.
 
-signal let_go
-
 const TURN_SPEED := 0.006 ## radians a pixel
 const MOVE_SPEED := 0.9 ## times the distance, metres a second
 const ZOOM_STEP := 1.12
@@ -45,9 +43,7 @@ func follow(find_target: Callable, metres: float) -> void:
 
 
 func stop_following() -> void:
-	if _find_target.is_valid():
-		_find_target = Callable()
-		let_go.emit()
+	_find_target = Callable()
 
 
 func _process(delta: float) -> void:

@@ -7,7 +7,6 @@ signal heat_chosen(choice: String)
 const DAYS := ["Monday", "Tuesday", "Wednesday", "Thursday", "Friday", "Saturday", "Sunday"]
 const SPEEDS := { "II": 0.0, "1x": 1.0, "10x": 10.0, "60x": 60.0, "300x": 300.0 }
 const JUMPS := { "7:30": 7.5, "7:58": 7.0 + 58.0 / 60.0, "10:00": 10.0, "16:00": 16.0, "21:00": 21.0 }
-const HEAT := { "No heat map": "off", "Everybody": "all", "Children": "children", "Adults": "adults", "Elders": "elders" }
 const STAGES := { "lots": "Lots are built", "scene": "The scene is filled", "navigation": "Ways are baked",
 		"distances": "Distances are learnt" }
 const FIRST_SPEED := 10.0
@@ -35,12 +34,15 @@ func _ready() -> void:
 		button.button_pressed = SPEEDS[text] == FIRST_SPEED
 	for text: String in JUMPS:
 		_add_button(_jumps, text, jump_to_hour.bind(JUMPS[text]))
-	for text: String in HEAT:
-		_heat.add_item(text)
+	_heat.add_item("No heat map")
+	_heat.add_item("Everybody")
+	for age_group: String in CitizenManager.get_age_groups():
+		_heat.add_item(age_group.capitalize())
 	_heat.visible = shows_heat
 	if not hint.is_empty():
 		(%Hint as Label).text += "\n" + hint
-	_heat.item_selected.connect(func(index: int) -> void: heat_chosen.emit(HEAT.values()[index]))
+	var choices: PackedStringArray = PackedStringArray(["off", "all"]) + CitizenManager.get_age_groups()
+	_heat.item_selected.connect(func(index: int) -> void: heat_chosen.emit(choices[index]))
 	_time.drag_ended.connect(func(is_changed: bool) -> void:
 		if is_changed:
 			jump_to_hour(_time.value))

@@ -3,7 +3,6 @@ extends Node
 ## What the mouse does to the city: a click picks a person, a drag that begins on a bench (or whatever people use) carries it away.
 
 signal person_picked(person: int) ## -1: nobody was there
-signal object_moved(object: PCGObject)
 
 const CLICK_SLOP := 6.0 ## pixels that a click may wander
 const GRIP_RADIUS := 1.2 ## metres around the middle of an object
@@ -95,7 +94,5 @@ func carry(origin: Vector3, direction: Vector3) -> void:
 
 
 func put_down() -> void:
-	var object: PCGObject = held
+	held.global_position.y = _height
 	held = null
-	object.global_position.y = _height
-	object_moved.emit(object)

@@ -12,7 +12,6 @@ const LEAST_WIDTH := 240.0 ## on narrow screens, so that it stands beside the cl
 const LEFT_PANEL := 340.0
 const MARGIN := 16.0
 const DAY_SECONDS := 86400.0
-const WEEK := ["mon", "tue", "wed", "thu", "fri", "sat", "sun"]
 const DOING := { "inside": "is inside", "walking": "is on the way to", "waiting": "waits at", "at-place": "is at" }
 const NOW_COLOR := "#ffd479"
 const DIM_COLOR := "#9fb0b8"
@@ -22,7 +21,6 @@ const DIM_COLOR := "#9fb0b8"
 
 var person := -1
 var _age := INF
-var _types := {} ## of buildings, zones and objects, by [kind, id]
 
 @onready var _name: Label = %Name
 @onready var _now: Label = %Now
@@ -70,7 +68,7 @@ func describe_now(who: Dictionary) -> String:
 	var state: String = who.get("state", "")
 	var place: Dictionary = who.get("place", {})
 	var doing: String = "sits on" if state == "at-place" and place["kind"] == "object" else DOING.get(state, state)
-	var text: String = "%s %s" % [doing, _name_of_place(who, place.get("kind", ""), place.get("id", -1))]
+	var text: String = "%s %s" % [doing, _name_of_place(who, place)]
 	if who.has("arrival"):
 		text += ", arrives at %s" % _clock(who["arrival"])
 	if int(who.get("leader", -1)) not in [-1, person]:
@@ -81,10 +79,7 @@ func describe_now(who: Dictionary) -> String:
 ## One line for each entry that holds today; the present one stands out.
 func describe_agenda(who: Dictionary) -> String:
 	var lines := PackedStringArray()
-	var today: String = WEEK[posmod(citizens.day, 7)]
-	for entry: Dictionary in citizens.get_agenda(person):
-		if not (entry["days"] as PackedStringArray).has(today):
-			continue
+	for entry: Dictionary in citizens.get_agenda(person, citizens.day):
 		var is_now: bool = entry["start"] <= citizens.time and citizens.time < entry["end"]
 		var line: String = "%s – %s  [b]%s[/b]" % [_clock(entry["start"]), _clock(entry["end"]), _describe_task(who, entry)]
 		if is_now:
@@ -102,9 +97,9 @@ func _describe_task(who: Dictionary, entry: Dictionary) -> String:
 			var joiners: PackedInt32Array = entry["joiners"]
 			return "walks with %s" % citizens.get_person(entry["leader"])["name"] if joiners.has(person) else "walks with %s" % ", ".join(_names(joiners))
 		"stayInside":
-			return "stays at home" if entry["target"] == who["home"] else "stays in %s" % _name_of_place(who, "building", entry["target"])
+			return "stays at home" if entry["target"] == who["home"] else "stays in %s" % _name_of_building(who, entry["target"])
 		"goToBuilding":
-			return "goes home" if entry["target"] == who["home"] else "goes to %s" % _name_of_place(who, "building", entry["target"])
+			return "goes home" if entry["target"] == who["home"] else "goes to %s" % _name_of_building(who, entry["target"])
 		"floatingSlot":
 			return "has time for errands"
 	return kind
@@ -117,36 +112,19 @@ func _names(persons: PackedInt32Array) -> PackedStringArray:
 	return result
 
 
-func _name_of_place(who: Dictionary, kind: String, id: int) -> String:
-	if kind == "building":
-		return "home" if id == who["home"] else "%s %d" % [_type_of_building(id), id]
-	if _types.is_empty():
-		_learn_types()
-	match kind:
+func _name_of_place(who: Dictionary, place: Dictionary) -> String:
+	match str(place.get("kind", "")):
 		"":
 			return "the street"
 		"person":
 			return "somebody"
-	return "the %s" % _types.get([kind, id], kind)
+		"building":
+			return _name_of_building(who, place["id"])
+	return "the %s" % place["type"]
 
 
-func _type_of_building(id: int) -> String:
-	if _types.is_empty():
-		_learn_types()
-	return _types.get(["building", id], "building")
-
-
-func _learn_types() -> void:
-	for group: StringName in [&"pcg_entrances", &"pcg_zones", &"pcg_objects"]:
-		for node: Node in get_tree().get_nodes_in_group(group):
-			if not city.is_ancestor_of(node):
-				continue
-			if node is PCGEntrance and not _types.has(["building", (node as PCGEntrance).building_id]):
-				_types[["building", (node as PCGEntrance).building_id]] = (node as PCGEntrance).type
-			elif node is PCGZone:
-				_types[["zone", (node as PCGZone).zone_id]] = (node as PCGZone).type
-			elif node is PCGObject:
-				_types[["object", (node as PCGObject).object_id]] = (node as PCGObject).type
+func _name_of_building(who: Dictionary, id: int) -> String:
+	return "home" if id == who["home"] else "%s %d" % [city.get_building(id).get("type", "building"), id]
 
 
 ## Seconds of the day as hours and minutes; days before and after do not show.

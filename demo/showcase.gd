@@ -9,11 +9,9 @@ extends Node3D
 ## docs/results.md says how its pictures were taken.
 
 const SECONDS_PER_HOUR := 3600.0
-const FRAMES_BEFORE_PICTURE := 8 ## shadows and sky need a few
 const HOURS_LIVED_BEFORE_PICTURE := 0.25 ## rather than jumped over, so that nobody has just set out
 const FOLLOW_DISTANCE := 28.0 ## metres
 const SHOULDERS := Vector3(0.0, 1.2, 0.0)
-const QUALITY := 0.88 ## of pictures in JPEG
 const USUAL_DPI := 96.0
 
 @export var city: PCGCity
@@ -104,14 +102,5 @@ func _take_pictures() -> void:
 		citizens.jump_to(citizens.day, (hour - HOURS_LIVED_BEFORE_PICTURE) * SECONDS_PER_HOUR)
 		citizens.advance(HOURS_LIVED_BEFORE_PICTURE * SECONDS_PER_HOUR)
 		var name_of_hour: String = "" if hours.size() == 1 else citizens.get_clock_text().replace(":", "")
-		error = await _take_picture("%s%s.%s" % [path.get_basename(), name_of_hour, path.get_extension()])
+		error = await DemoPicture.take(self, "%s%s.%s" % [path.get_basename(), name_of_hour, path.get_extension()])
 	get_tree().quit(0 if error == OK else 1)
-
-
-func _take_picture(path: String) -> Error:
-	for frame: int in FRAMES_BEFORE_PICTURE:
-		citizens.advance(0.0) # scenes come a few a frame
-		await get_tree().process_frame
-	await RenderingServer.frame_post_draw
-	var picture: Image = get_viewport().get_texture().get_image()
-	return picture.save_jpg(path, QUALITY) if path.get_extension() == "jpg" else picture.save_png(path)

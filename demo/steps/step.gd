@@ -6,7 +6,6 @@ extends Node3D
 const COUNT := 6
 const SCENES: PackedStringArray = ["1_one_lot", "2_a_street", "3_household", "4_school_run", "5_bench", "6_your_own_rule"]
 const SECONDS_PER_HOUR := 3600.0
-const FRAMES_BEFORE_PICTURE := 8
 
 @export_range(1, COUNT) var number := 1
 @export_multiline var text := ""
@@ -84,7 +83,4 @@ func _go_to(other: int) -> void:
 func _take_picture(path: String) -> void:
 	if citizens:
 		citizens.paused = true
-	for frame: int in FRAMES_BEFORE_PICTURE:
-		await get_tree().process_frame
-	await RenderingServer.frame_post_draw
-	get_tree().quit(0 if get_viewport().get_texture().get_image().save_png(path) == OK else 1)
+	get_tree().quit(0 if await DemoPicture.take(self, path) == OK else 1)

@@ -34,6 +34,38 @@ func _make_citizens() -> void:
 	add_child(_citizens)
 
 
+func _leaves_school_at_noon(child: int) -> bool:
+	return _citizens.get_agenda(child).any(func(entry: Dictionary) -> bool: return entry["end"] == 12.0 * HOUR)
+
+
+func test_people_take_over_new_rules_between_two_days_without_a_new_beginning() -> void:
+	_begin(12.0)
+	var child: int = _citizens.find_persons(func(person: Dictionary) -> bool: return person["age"] < 18)[0]
+	var restarts := [0]
+	_citizens.simulation_started.connect(func() -> void: restarts[0] += 1)
+	var renewals: Array[String] = []
+	_citizens.agendas_renewed.connect(func() -> void: renewals.append(_citizens.get_clock_text()))
+	_citizens.rules.source = CityForTests.WEEKDAY.replace("8h, 16h", "8h, 12h")
+	check(_citizens.renew_agendas(), "they shall take over other rules")
+	_citizens.advance(11.9 * HOUR)
+	check(not _leaves_school_at_noon(child), "but not today")
+	_citizens.advance(HOUR)
+	check(_leaves_school_at_noon(child), "from the next day on")
+	check_equal(renewals, ["00:00"] as Array[String], "once")
+	_citizens.advance(11.6 * HOUR)
+	check_equal(_citizens.get_person(child)["place"]["id"], _citizens.get_person(child)["home"], "who is home by half past twelve, or on the way")
+	_citizens.rules.source = "@StartRule\nHousehold --> nonsense(\n"
+	expect_message("nonsense")
+	check(not _citizens.renew_agendas(), "rules with errors are not taken over")
+	check(_leaves_school_at_noon(child), "all stays")
+	_citizens.rules.source = CityForTests.WEEKDAY
+	check(_citizens.renew_agendas(true), "at once")
+	check(not _leaves_school_at_noon(child), "the old rules again")
+	_citizens.advance(24.0 * HOUR)
+	check_equal(restarts[0], 0, "life was not begun anew")
+	check_equal(_citizens.get_broken_promises().values().max(), 0, "no promise is broken: %s" % [_citizens.get_broken_promise_examples()])
+
+
 func _begin(hour: float = 0.0) -> void:
 	check(_citizens.generate_population(), "there are people: %s" % [_citizens.get_diagnostics()])
 	_citizens.jump_to(0, hour * HOUR)

@@ -126,15 +126,22 @@ func test_the_panel_sets_speed_and_hour_and_shows_the_heat() -> void:
 	panel.jump_to_hour(16.0)
 	check_equal(_citizens.get_clock_text(), "16:00", "the clock jumps")
 	_live_until(8.1)
+	var pictures: Dictionary[PackedByteArray, String] = {}
 	for choice: String in ["all", "children", "adults", "elders"]:
 		heat.choose(choice)
-		heat.draw()
-		check(heat.visible, "heat of %s" % choice)
+		check(heat.visible and heat.show_heat(_citizens, heat.group), "heat of %s" % choice)
+		check(heat.picture.get_used_rect().has_area(), "%s were somewhere" % choice)
+		pictures[heat.picture.get_data()] = choice
+	check_equal(pictures.size(), 4, "everybody and each group in their own places")
+	check(_citizens.get_heat_image("children", 7).get_used_rect().has_area(), "children were outdoors at seven")
+	check(not _citizens.get_heat_image("children", 2).get_used_rect().has_area(), "not at two in the night")
 	check(_citizens.get_heat_area().has_point(Vector2.ZERO), "over the city")
 	heat.choose("off")
 	check(not heat.visible, "and away")
 	expect_message("heat maps are of \"children\", \"adults\", \"elders\"")
 	check(_citizens.get_heat_image("dogs") == null, "of nobody else")
+	expect_message("heat maps are of an hour from 0 to 23")
+	check(_citizens.get_heat_image("", 24) == null, "of no other hour")
 
 
 func test_light_follows_the_hour_and_windows_are_lit_at_night() -> void:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -39,6 +40,10 @@ HeatGrid grid_over(const CityModel &city, float margin, float cell, uint32_t max
 
 double HeatMap::total() const { return std::accumulate(_seconds.begin(), _seconds.end(), 0.0); }
 
+void HeatMap::add(const HeatMap &other) {
+	std::transform(_seconds.begin(), _seconds.end(), other._seconds.begin(), _seconds.begin(), std::plus<>());
+}
+
 void HeatMap::add(glm::vec3 position, double seconds) {
 	const float column = std::floor((position.x - _grid.origin.x) / _grid.cell);
 	const float row = std::floor((position.z - _grid.origin.y) / _grid.cell);
@@ -48,7 +53,7 @@ void HeatMap::add(glm::vec3 position, double seconds) {
 }
 
 void HeatMap::on_lived(const LivedSpan &span) {
-	if (span.state == PersonState::Inside || (_filter && !_filter(span.person))) {
+	if (span.state == PersonState::Inside) {
 		return;
 	}
 	const double seconds = (span.end - span.start).in_seconds();

@@ -1,12 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include <glm/vec2.hpp>
 
-#include "core/population/population.h"
 #include "core/semantics/city_model.h"
 #include "core/sim/observer.h"
 
@@ -28,14 +26,13 @@ HeatGrid grid_over(const CityModel &city, float margin = 20.0f, float cell = 2.0
 // Person-seconds outdoors per cell (paper, figure "Heat-maps"), walking and standing.
 class HeatMap : public SimulationObserver {
 public:
-	using Filter = std::function<bool(PersonId)>;
-
-	// Counts those that the filter takes; all without one.
-	explicit HeatMap(HeatGrid grid, Filter filter = {}) : _grid(grid), _filter(std::move(filter)), _seconds(grid.cell_count()) {}
+	explicit HeatMap(HeatGrid grid) : _grid(grid), _seconds(grid.cell_count()) {}
 
 	const HeatGrid &grid() const { return _grid; }
 	const std::vector<double> &person_seconds() const { return _seconds; }
 	double total() const;
+	// One of the same grid.
+	void add(const HeatMap &other);
 
 	void on_lived(const LivedSpan &span) override;
 
@@ -43,7 +40,6 @@ private:
 	void add(glm::vec3 position, double seconds);
 
 	HeatGrid _grid;
-	Filter _filter;
 	std::vector<double> _seconds;
 };
 

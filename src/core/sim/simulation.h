@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <span>
@@ -96,6 +97,9 @@ public:
 	// Must be called for everybody whose agenda in the AgendaSet became another one (agenda/agenda_edit.h): goes on with what the new one says, at
 	// once where its time has come.
 	void take_in_agenda(PersonId id);
+	// Everybody's agenda becomes another one, and so does the program that the rules in them are of: `change` replaces what is in the AgendaSet, for the
+	// same people, and gives that program. What anybody does ends, and all go on from where they are with what the new agendas say now.
+	void change_agendas(const std::function<std::shared_ptr<const Program>()> &change);
 	// The game has the person from now on: it leaves its rule, group, seat and building; its body is freed, for the game shows it. It counts as
 	// waiting outdoors. False: it is not there, or was taken already.
 	bool take_over(PersonId id);

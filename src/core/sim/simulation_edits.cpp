@@ -167,6 +167,27 @@ void Simulation::take_in_agenda(PersonId id) {
 	schedule(id);
 }
 
+void Simulation::change_agendas(const std::function<std::shared_ptr<const Program>()> &change) {
+	std::vector<PersonId> living;
+	for (size_t i = 0; _has_started && i < _persons.size(); ++i) {
+		if (const PersonId id = PersonId(uint32_t(i)); is_living(id)) {
+			drop_everything(id);
+			living.push_back(id);
+		}
+	}
+	_behaviors.clear(); // they run the old program
+	_free_behaviors.clear();
+	_program = change();
+	_party_of_group.assign(_agendas.groups.size(), PersonRecord::none);
+	_floating_taken.assign(_agendas.floating_tasks.size(), never_taken);
+	_city_revision = _city.revision() - 1; // what rules know of the city is made for their program
+	take_in_city_edits();
+	for (const PersonId id : living) {
+		begin_entry(id);
+		schedule(id);
+	}
+}
+
 // Its rule, group, walk and seat.
 void Simulation::drop_everything(PersonId id) {
 	PersonRecord &person = record(id);

@@ -4,8 +4,8 @@
 #include <godot_cpp/classes/navigation_server3d.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
-#include "core/population/names.h"
 #include "godot/convert.h"
+#include "godot/convert_looks.h"
 #include "godot/nodes/pcg_agent_view.h"
 
 using namespace godot;
@@ -27,23 +27,6 @@ NavigationAgent3D *find_steering(Node *root) {
 		}
 	}
 	return nullptr;
-}
-
-Color to_color(glm::vec3 tone) { return Color(tone.x, tone.y, tone.z); }
-
-Dictionary looks_for_scenes(const Population &population, PersonId id, const Looks &looks) {
-	static constexpr const char *ages[] = { "child", "adult", "elder" };
-	const Person &person = population.person(id);
-	Dictionary result;
-	result["name"] = to_godot(std::string_view(full_name(population, id)));
-	result["gender"] = looks.kind >= 3 ? "woman" : "man";
-	result["age_group"] = ages[looks.kind % 3];
-	result["age"] = int64_t(person.age);
-	result["height"] = make_figure_of_kind(looks.kind).height;
-	result["hair_color"] = to_color(hair_tone(looks.hair));
-	result["skin_color"] = to_color(skin_tone(looks.skin));
-	result["clothes_color"] = to_color(looks.top);
-	return result;
 }
 
 // Godot's nodes look along -z.
@@ -144,7 +127,7 @@ void PCGAgentView::add_scene(uint32_t slot) {
 	}
 	_agents.push_back(agent);
 	_crowd->set_scene(slot, false, link->get_shows_figure());
-	link->assign(int(index_of(body.person)), looks_for_scenes(_crowd->population(), body.person, body.looks), [this, link] { lose_scene(link); });
+	link->assign(int(index_of(body.person)), to_godot(_crowd->population(), body.person, body.looks), [this, link] { lose_scene(link); });
 }
 
 // Back to the pool.

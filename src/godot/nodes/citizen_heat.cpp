@@ -1,4 +1,3 @@
-#include <godot_cpp/classes/project_settings.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 
 #include "core/io/png.h"
@@ -12,36 +11,28 @@ using namespace godot;
 
 namespace pcg {
 
-namespace {
-
-constexpr const char *group_names[AgeHeat::group_count] = { "", "children", "adults", "elders" };
-
-} // namespace
-
-AgeHeat::AgeHeat(const CityModel &city, const Population &population) {
-	static constexpr float ages[group_count + 1] = { 0.0f, 0.0f, 18.0f, 65.0f, 1000.0f };
-	maps.reserve(group_count);
-	maps.emplace_back(grid_over(city));
-	for (size_t group = 1; group < group_count; ++group) {
-		const float from = ages[group], to = ages[group + 1];
-		maps.emplace_back(grid_over(city), [&population, from, to](PersonId id) { return population.person(id).age >= from && population.person(id).age < to; });
+PackedStringArray CitizenManager::get_age_groups() {
+	PackedStringArray names;
+	for (const std::string_view name : age_group_names) {
+		names.push_back(to_godot(name));
 	}
+	return names;
 }
 
-// Null, with an error, where none is kept.
-const HeatMap *CitizenManager::find_heat_map(const String &p_group) const {
-	ERR_FAIL_COND_V_MSG(!is_running() || !_life->heat, nullptr, "CitizenManager: no lives are recorded. Set record_lives before start().");
-	for (size_t group = 0; group < AgeHeat::group_count; ++group) {
-		if (p_group == group_names[group]) {
-			flush_lives();
-			return &_life->heat->maps[group];
-		}
-	}
-	ERR_FAIL_V_MSG(nullptr, "CitizenManager: heat maps are of \"children\", \"adults\", \"elders\" or, with an empty text, of everybody; not of \"" + p_group + "\".");
+// Nothing, with an error, where none is kept.
+std::optional<HeatMap> CitizenManager::find_heat_map(const String &p_group, int p_hour) const {
+	ERR_FAIL_COND_V_MSG(!has_recorded_lives(), std::nullopt, no_lives);
+	ERR_FAIL_COND_V_MSG(p_hour < -1 || p_hour > 23, std::nullopt, "CitizenManager: heat maps are of an hour from 0 to 23 or, with -1, of the whole time.");
+	const int64_t group = get_age_groups().find(p_group);
+	ERR_FAIL_COND_V_MSG(group < 0 && !p_group.is_empty(), std::nullopt,
+			"CitizenManager: heat maps are of \"children\", \"adults\", \"elders\" or, with an empty text, of everybody; not of \"" + p_group + "\".");
+	flush_lives();
+	const auto chosen = [](int64_t number) { return number < 0 ? std::nullopt : std::optional<size_t>(size_t(number)); };
+	return _life->heat->map(chosen(group), chosen(p_hour));
 }
 
 Error CitizenManager::save_heat_map(const String &p_path, const String &p_group) const {
-	const HeatMap *map = find_heat_map(p_group);
+	const std::optional<HeatMap> map = find_heat_map(p_group, -1);
 	if (!map) {
 		return ERR_UNCONFIGURED;
 	}
@@ -53,31 +44,23 @@ Error CitizenManager::save_heat_map(const String &p_path, const String &p_group)
 	for (const LotBuild &lot : city.lots) {
 		plan.walkable.insert(plan.walkable.end(), lot.free_ground.begin(), lot.free_ground.end());
 	}
-	Diagnostics diagnostics;
-	const String path = ProjectSettings::get_singleton()->globalize_path(p_path);
-	write_png(from_godot(path), draw_heat_map(*map, plan, { .pixels_per_cell = 4 }), diagnostics);
-	report(diagnostics);
-	return diagnostics.has_errors() ? ERR_FILE_CANT_WRITE : OK;
+	return save_to(p_path, [&](const std::string &path, Diagnostics &diagnostics) {
+		write_png(path, draw_heat_map(*map, plan, { .pixels_per_cell = 4 }), diagnostics);
+	});
 }
 
-Ref<Image> CitizenManager::get_heat_image(const String &p_group) const {
-	const HeatMap *map = find_heat_map(p_group);
+Ref<Image> CitizenManager::get_heat_image(const String &p_group, int p_hour) const {
+	const std::optional<HeatMap> map = find_heat_map(p_group, p_hour);
 	if (!map) {
 		return {};
 	}
 	const RgbaImage heat = draw_heat_overlay(*map, { .pixels_per_cell = 2 });
-	PackedByteArray pixels;
-	pixels.resize(int64_t(heat.pixels.size()));
-	std::copy(heat.pixels.begin(), heat.pixels.end(), pixels.ptrw());
-	return Image::create_from_data(int32_t(heat.width), int32_t(heat.height), false, Image::FORMAT_RGBA8, pixels);
+	return Image::create_from_data(int32_t(heat.width), int32_t(heat.height), false, Image::FORMAT_RGBA8, to_bytes(heat.pixels));
 }
 
 Rect2 CitizenManager::get_heat_area() const {
-	const HeatMap *map = find_heat_map("");
-	if (!map) {
-		return {};
-	}
-	const HeatGrid &grid = map->grid();
+	ERR_FAIL_COND_V_MSG(!has_recorded_lives(), Rect2(), no_lives);
+	const HeatGrid &grid = _life->heat->grid();
 	return Rect2(grid.origin.x, grid.origin.y, float(grid.columns) * grid.cell, float(grid.rows) * grid.cell);
 }
 

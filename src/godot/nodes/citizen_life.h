@@ -6,7 +6,7 @@
 #include "core/agenda/agenda.h"
 #include "core/figure/crowd.h"
 #include "core/population/population.h"
-#include "core/sim/heat_map.h"
+#include "core/sim/age_heat.h"
 #include "core/sim/invariants.h"
 #include "core/sim/lived_log.h"
 #include "core/sim/simulation.h"
@@ -46,13 +46,6 @@ private:
 	AgentHost *_bodies = nullptr;
 	std::array<bool, Notice::kind_count> _wanted{};
 	std::vector<Notice> _notices;
-};
-
-// Heat maps of everybody and of the three ages of the paper's figure: under 18, under 65, and older.
-struct AgeHeat {
-	static constexpr size_t group_count = 4;
-	AgeHeat(const CityModel &city, const Population &population);
-	std::vector<HeatMap> maps; // everybody's first
 };
 
 // Everything that one running simulation needs, in the order in which it depends on each other.

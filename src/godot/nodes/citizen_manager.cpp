@@ -100,6 +100,11 @@ void CitizenManager::set_city(PCGCity *p_city) {
 
 PCGCity *CitizenManager::get_city() const { return Object::cast_to<PCGCity>(ObjectDB::get_instance(_city_id)); }
 
+Transform3D CitizenManager::city_frame() const {
+	const PCGCity *city = get_city();
+	return city ? city->frame() : Transform3D();
+}
+
 void CitizenManager::set_rules(const Ref<PCGRuleSet> &p_rules) {
 	_rules = p_rules;
 	update_configuration_warnings();
@@ -210,8 +215,7 @@ bool CitizenManager::generate_population() {
 	if (!is_there(self) || !is_alone("generate_population")) {
 		return false;
 	}
-	_life.reset();
-	_diagnostics = Diagnostics();
+	clear_population();
 	if (!check_inputs(_diagnostics)) {
 		report(_diagnostics);
 		return false;
@@ -236,6 +240,17 @@ bool CitizenManager::generate_population() {
 	return true;
 }
 
+void CitizenManager::clear_population() {
+	const uint64_t self = get_instance_id();
+	stop();
+	if (!is_there(self) || !is_alone("clear_population")) {
+		return;
+	}
+	_life.reset();
+	_renews_agendas = false;
+	_diagnostics = Diagnostics();
+}
+
 bool CitizenManager::start() {
 	ERR_FAIL_COND_V_MSG(!_life, false, "CitizenManager: there is nobody in this city yet. Call generate_population() before start().");
 	const uint64_t self = get_instance_id();
@@ -256,12 +271,7 @@ bool CitizenManager::live(const std::function<void(Simulation &)> &begin) {
 		life.checker = std::make_unique<InvariantChecker>(*life.simulation);
 	}
 	if (_record_lives) {
-		life.log = std::make_unique<LivedLog>();
-		life.heat = std::make_unique<AgeHeat>(life.city->city.model, life.population);
-		life.simulation->add_observer(*life.log);
-		for (HeatMap &map : life.heat->maps) {
-			life.simulation->add_observer(map);
-		}
+		begin_record();
 	}
 	open_view();
 	_owed_seconds = 0.0;
@@ -273,6 +283,32 @@ bool CitizenManager::live(const std::function<void(Simulation &)> &begin) {
 	}
 	emit_signal("simulation_started");
 	return is_there(self) && tell_news() && is_running();
+}
+
+void CitizenManager::begin_record() {
+	_life->log = std::make_unique<LivedLog>();
+	_life->heat = std::make_unique<AgeHeat>(_life->city->city.model, _life->population);
+	_life->simulation->add_observer(*_life->log);
+	_life->simulation->add_observer(*_life->heat);
+}
+
+// What was recorded can still be asked for after the record has ended, until life does.
+void CitizenManager::set_record_lives(bool p_enabled) {
+	if (p_enabled == _record_lives || (is_running() && !is_alone("set_record_lives"))) {
+		return;
+	}
+	_record_lives = p_enabled;
+	if (!is_running()) {
+		return;
+	}
+	flush_lives(); // spans begin or end with the record
+	if (_life->log) {
+		_life->simulation->remove_observer(*_life->log);
+		_life->simulation->remove_observer(*_life->heat);
+	}
+	if (p_enabled) {
+		begin_record();
+	}
 }
 
 PCGAgentView *CitizenManager::get_agent_view() const { return Object::cast_to<PCGAgentView>(ObjectDB::get_instance(_view_id)); }
@@ -299,9 +335,8 @@ void CitizenManager::open_view() {
 	_life->bodies = std::make_shared<Crowd>(_life->population, _life->city->paths.get(), [simulation] { return simulation->now(); });
 	_life->notices.set_bodies(_life->bodies.get());
 	view->open(_life->bodies, bounds);
-	const PCGCity *city = get_city();
-	if (city && city->is_inside_tree() && is_inside_tree()) {
-		view->set_global_transform(city->get_global_transform());
+	if (is_inside_tree()) {
+		view->set_global_transform(city_frame());
 	}
 }
 

@@ -57,7 +57,7 @@ public:
 	bool get_auto_start() const { return _auto_start; }
 	void set_check_promises(bool p_enabled) { _check_promises = p_enabled; }
 	bool get_check_promises() const { return _check_promises; }
-	void set_record_lives(bool p_enabled) { _record_lives = p_enabled; }
+	void set_record_lives(bool p_enabled);
 	bool get_record_lives() const { return _record_lives; }
 
 	// The clock. Before start() it says when life begins; afterwards it is the present, and setting it jumps.
@@ -72,6 +72,7 @@ public:
 	bool is_paused() const { return _is_paused; }
 
 	bool generate_population();
+	void clear_population();
 	bool start();
 	void stop();
 	bool is_running() const { return _life && _life->simulation; }
@@ -79,6 +80,7 @@ public:
 	void jump_to(int p_day, double p_seconds);
 
 	// citizen_manager_live.cpp: changes, also while life goes on
+	bool renew_agendas(bool p_at_once);
 	bool insert_task(int p_person, const godot::Dictionary &p_task);
 	bool take_over(int p_person);
 	bool place_taken(int p_person, const godot::Vector3 &p_position);
@@ -94,7 +96,9 @@ public:
 	godot::Ref<PCGPopulation> keep_population();
 
 	// citizen_manager_queries.cpp
+	bool has_person(int p_person) const;
 	godot::Dictionary get_person(int p_person) const;
+	godot::Dictionary get_looks(int p_person) const;
 	godot::PackedInt32Array find_persons(const godot::Callable &p_predicate) const;
 	godot::TypedArray<godot::Dictionary> get_agenda(int p_person, int p_day) const;
 	godot::PackedInt32Array get_persons_outside() const;
@@ -110,8 +114,10 @@ public:
 	double get_monitor(const godot::String &p_monitor) const; // citizen_manager_monitors.cpp
 
 	// citizen_heat.cpp
+	static godot::PackedStringArray get_age_groups();
+	bool has_recorded_lives() const { return is_running() && _life->heat; }
 	godot::Error save_heat_map(const godot::String &p_path, const godot::String &p_group) const;
-	godot::Ref<godot::Image> get_heat_image(const godot::String &p_group) const;
+	godot::Ref<godot::Image> get_heat_image(const godot::String &p_group, int p_hour) const;
 	godot::Rect2 get_heat_area() const;
 
 	void _ready() override;
@@ -123,6 +129,9 @@ protected:
 	void _notification(int p_what);
 
 private:
+	static constexpr const char *no_person = "CitizenManager: there is no such person. Persons are numbered from 0; get_statistics() has their number.";
+	static constexpr const char *no_lives = "CitizenManager: no lives are recorded. Set record_lives before start().";
+
 	static void bind_properties();
 	static void bind_queries();
 	static void bind_changes();
@@ -133,7 +142,9 @@ private:
 	void draw_people(CitizenLife &life, Diagnostics &diagnostics) const;
 	AgendaOptions agenda_options() const;
 	bool live(const std::function<void(Simulation &)> &begin);
-	bool has_person(int p_person) const;
+	void begin_record();
+	godot::Transform3D city_frame() const; // the identity without a city
+	bool take_over_rules();
 	bool is_alone(const char *p_method) const;
 	bool is_living(int p_person, const char *p_method) const;
 	bool tell_change(const AgendaChange &change);
@@ -144,11 +155,12 @@ private:
 	void show_bodies();
 	void listen();
 	bool move(const std::function<void(Simulation &)> &change);
+	bool step_over_midnight(Duration step);
 	bool tell_news();
 	bool tell_notices();
 	void tell_broken_promises();
 	void flush_lives() const;
-	const HeatMap *find_heat_map(const godot::String &p_group) const;
+	std::optional<HeatMap> find_heat_map(const godot::String &p_group, int p_hour) const;
 	void tell_rule_messages();
 	void on_city_generated(bool);
 	void on_city_cleared();
@@ -180,6 +192,7 @@ private:
 	uint64_t _told_breaks = 0;
 	size_t _told_messages = 0; // of the simulation's diagnostics
 	bool _is_generating = false;
+	bool _renews_agendas = false; // at the next midnight
 	CitizenLoad _load;
 	godot::PackedStringArray _monitors; // that the engine knows of
 };

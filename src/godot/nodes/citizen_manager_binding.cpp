@@ -12,6 +12,7 @@ void CitizenManager::_bind_methods() {
 	bind_properties();
 	bind_queries();
 	ClassDB::bind_method(D_METHOD("generate_population"), &CitizenManager::generate_population);
+	ClassDB::bind_method(D_METHOD("clear_population"), &CitizenManager::clear_population);
 	ClassDB::bind_method(D_METHOD("start"), &CitizenManager::start);
 	ClassDB::bind_method(D_METHOD("stop"), &CitizenManager::stop);
 	ClassDB::bind_method(D_METHOD("is_running"), &CitizenManager::is_running);
@@ -23,6 +24,7 @@ void CitizenManager::_bind_methods() {
 }
 
 void CitizenManager::bind_changes() {
+	ClassDB::bind_method(D_METHOD("renew_agendas", "at_once"), &CitizenManager::renew_agendas, DEFVAL(false));
 	ClassDB::bind_method(D_METHOD("insert_task", "person", "task"), &CitizenManager::insert_task);
 	ClassDB::bind_method(D_METHOD("take_over", "person"), &CitizenManager::take_over);
 	ClassDB::bind_method(D_METHOD("place_taken", "person", "position"), &CitizenManager::place_taken);
@@ -39,6 +41,7 @@ void CitizenManager::bind_changes() {
 void CitizenManager::bind_signals() {
 	const PropertyInfo person(Variant::INT, "person"), building(Variant::INT, "building");
 	ADD_SIGNAL(MethodInfo("population_generated"));
+	ADD_SIGNAL(MethodInfo("agendas_renewed"));
 	ADD_SIGNAL(MethodInfo("simulation_started"));
 	ADD_SIGNAL(MethodInfo("simulation_stopped"));
 	ADD_SIGNAL(MethodInfo("time_jumped"));
@@ -112,7 +115,9 @@ void CitizenManager::bind_properties() {
 void CitizenManager::bind_queries() {
 	ClassDB::bind_method(D_METHOD("get_clock_text"), &CitizenManager::get_clock_text);
 	ClassDB::bind_method(D_METHOD("get_person", "person"), &CitizenManager::get_person);
+	ClassDB::bind_method(D_METHOD("get_looks", "person"), &CitizenManager::get_looks);
 	ClassDB::bind_method(D_METHOD("find_persons", "predicate"), &CitizenManager::find_persons);
+	ClassDB::bind_method(D_METHOD("has_person", "person"), &CitizenManager::has_person);
 	ClassDB::bind_method(D_METHOD("get_agenda", "person", "day"), &CitizenManager::get_agenda, DEFVAL(-1));
 	ClassDB::bind_method(D_METHOD("get_monitor", "monitor"), &CitizenManager::get_monitor);
 	ClassDB::bind_method(D_METHOD("get_persons_outside"), &CitizenManager::get_persons_outside);
@@ -124,7 +129,9 @@ void CitizenManager::bind_queries() {
 	ClassDB::bind_method(D_METHOD("choose_household"), &CitizenManager::choose_household);
 	ClassDB::bind_method(D_METHOD("tell_day", "household", "day"), &CitizenManager::tell_day);
 	ClassDB::bind_method(D_METHOD("save_heat_map", "path", "group"), &CitizenManager::save_heat_map, DEFVAL(""));
-	ClassDB::bind_method(D_METHOD("get_heat_image", "group"), &CitizenManager::get_heat_image, DEFVAL(""));
+	ClassDB::bind_static_method("CitizenManager", D_METHOD("get_age_groups"), &CitizenManager::get_age_groups);
+	ClassDB::bind_method(D_METHOD("has_recorded_lives"), &CitizenManager::has_recorded_lives);
+	ClassDB::bind_method(D_METHOD("get_heat_image", "group", "hour"), &CitizenManager::get_heat_image, DEFVAL(""), DEFVAL(-1));
 	ClassDB::bind_method(D_METHOD("get_heat_area"), &CitizenManager::get_heat_area);
 	ClassDB::bind_method(D_METHOD("save_lives", "path"), &CitizenManager::save_lives);
 	ClassDB::bind_method(D_METHOD("get_agent_view"), &CitizenManager::get_agent_view);

@@ -36,8 +36,7 @@ const char *reason_name(Unmet reason) {
 // Whether it is somebody with a life of its own at present.
 bool CitizenManager::is_living(int p_person, const char *p_method) const {
 	ERR_FAIL_COND_V_MSG(!is_running(), false, String("CitizenManager: nothing runs. Call start() before ") + p_method + "().");
-	ERR_FAIL_COND_V_MSG(!has_person(p_person), false,
-			"CitizenManager: there is no such person. Persons are numbered from 0; get_statistics() has their number.");
+	ERR_FAIL_COND_V_MSG(!has_person(p_person), false, no_person);
 	return is_alone(p_method);
 }
 
@@ -51,10 +50,56 @@ bool CitizenManager::check_task(const Task &task, std::optional<int64_t> day) co
 	return true;
 }
 
+// Scripts come in the middle of it only if the rules call some.
+bool CitizenManager::renew_agendas(bool p_at_once) {
+	ERR_FAIL_COND_V_MSG(!_life, false, "CitizenManager: nobody lives here yet. Call generate_population() before renew_agendas().");
+	if (!is_alone("renew_agendas")) {
+		return false;
+	}
+	Diagnostics diagnostics;
+	if (!check_place(diagnostics)) {
+		report(diagnostics);
+		return false;
+	}
+	_renews_agendas = is_running() && !p_at_once;
+	return _renews_agendas || take_over_rules();
+}
+
+// Where the new rules write nothing but errors, the old agendas stay. False then, and if a listener or a rule has freed this node.
+bool CitizenManager::take_over_rules() {
+	_renews_agendas = false;
+	const std::shared_ptr<CitizenLife> life = _life;
+	const std::shared_ptr<const Program> program = _rules->program();
+	const uint64_t self = get_instance_id();
+	Diagnostics diagnostics;
+	_is_generating = true;
+	AgendaSet agendas = generate_agendas(*program, life->city->city.model, *life->city->paths, life->population, agenda_options(), diagnostics);
+	if (!is_there(self)) {
+		return false;
+	}
+	_is_generating = false;
+	_diagnostics = diagnostics;
+	report(diagnostics);
+	if (agendas.tasks.empty() && diagnostics.has_errors()) {
+		return false;
+	}
+	const auto change = [&] {
+		life->agendas = std::move(agendas);
+		life->program = program;
+		return program;
+	};
+	if (!is_running()) {
+		change();
+	} else if (!move([&](Simulation &simulation) { simulation.change_agendas(change); }) || !tell_news()) {
+		return false;
+	}
+	emit_signal("agendas_renewed");
+	return is_there(self);
+}
+
 bool CitizenManager::insert_task(int p_person, const Dictionary &p_task) {
 	ERR_FAIL_COND_V_MSG(!_life, false, "CitizenManager: nobody lives here yet. Call generate_population() before insert_task().");
-	ERR_FAIL_COND_V_MSG(!has_person(p_person), false,
-			"CitizenManager: there is no such person. Persons are numbered from 0; get_statistics() has their number.");
+	ERR_FAIL_COND_V_MSG(!has_person(p_person), false, no_person);
 	if (!is_alone("insert_task")) {
 		return false;
 	}
@@ -110,9 +155,7 @@ bool CitizenManager::place_taken(int p_person, const Vector3 &p_position) {
 	if (!is_living(p_person, "place_taken")) {
 		return false;
 	}
-	const PCGCity *city = get_city();
-	const Transform3D frame = city && city->is_inside_tree() ? city->get_global_transform() : Transform3D();
-	return _life->simulation->place_taken(PersonId(p_person), from_godot(frame.affine_inverse().xform(p_position)));
+	return _life->simulation->place_taken(PersonId(p_person), from_godot(city_frame().affine_inverse().xform(p_position)));
 }
 
 bool CitizenManager::release(int p_person) {

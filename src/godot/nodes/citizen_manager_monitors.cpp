@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <chrono>
+#include <iterator>
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/performance.hpp>
@@ -17,23 +19,27 @@ namespace {
 
 constexpr const char *monitor_names[] = { "agents", "outside", "events_per_second", "milliseconds_per_frame" };
 
+String list_monitors() {
+	String list;
+	for (const char *name : monitor_names) {
+		list += (list.is_empty() ? "" : ", ") + String(name);
+	}
+	return list;
+}
+
 double now_seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 } // namespace
 
 double CitizenManager::get_monitor(const String &p_monitor) const {
-	const bool is_known = p_monitor == "agents" || p_monitor == "outside" || p_monitor == "events_per_second" || p_monitor == "milliseconds_per_frame";
-	ERR_FAIL_COND_V_MSG(!is_known, 0.0, "CitizenManager: there is no monitor '" + p_monitor + "'. There are agents, outside, events_per_second and milliseconds_per_frame.");
+	const auto *found = std::find_if(std::begin(monitor_names), std::end(monitor_names), [&](const char *name) { return p_monitor == name; });
+	ERR_FAIL_COND_V_MSG(found == std::end(monitor_names), 0.0, "CitizenManager: there is no monitor '" + p_monitor + "'. There are " + list_monitors() + ".");
 	if (!is_running()) {
 		return 0.0;
 	}
-	if (p_monitor == "agents") {
-		return double(_life->bodies->size());
-	}
-	if (p_monitor == "outside") {
-		return double(_life->simulation->outside_count());
-	}
-	return p_monitor == "events_per_second" ? _load.events_per_second : _load.frame_ms;
+	const double values[] = { double(_life->bodies->size()), double(_life->simulation->outside_count()), _load.events_per_second, _load.frame_ms };
+	static_assert(std::size(values) == std::size(monitor_names));
+	return values[found - monitor_names];
 }
 
 // `seconds` that the simulation and the bodies took, of this frame.

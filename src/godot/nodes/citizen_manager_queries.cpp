@@ -1,10 +1,10 @@
-#include <godot_cpp/classes/project_settings.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 
 #include "core/io/trace_csv.h"
 #include "core/population/names.h"
 #include "core/sim/day_story.h"
 #include "godot/convert.h"
+#include "godot/convert_looks.h"
 #include "godot/convert_task.h"
 #include "godot/liveness.h"
 #include "godot/nodes/citizen_manager.h"
@@ -18,11 +18,25 @@ namespace pcg {
 
 namespace {
 
-Dictionary to_dictionary(const Target &place) {
+TypeId type_of(const Target &place, const CityModel &model) {
+	switch (place.kind) {
+		case Target::Kind::Building: {
+			const EntranceId door = model.entrance_of(place.building());
+			return is_valid(door) ? model.entrance(door).type : TypeId::Invalid;
+		}
+		case Target::Kind::Zone: return model.zone(place.zone()).type;
+		case Target::Kind::Object: return model.object(place.object()).type;
+		default: return TypeId::Invalid;
+	}
+}
+
+Dictionary to_dictionary(const Target &place, const CityModel &model) {
 	static constexpr const char *kinds[] = { "", "building", "zone", "object", "person" };
+	const TypeId type = type_of(place, model);
 	Dictionary result;
 	result["kind"] = kinds[size_t(place.kind)];
 	result["id"] = place.is_none() ? int64_t(-1) : int64_t(place.index);
+	result["type"] = is_valid(type) ? to_godot(model.types.name(type)) : String();
 	return result;
 }
 
@@ -34,9 +48,9 @@ PackedInt32Array to_ids(const std::vector<PersonId> &persons) {
 	return result;
 }
 
-void add_state(Dictionary &result, const PersonView &view, const Transform3D &frame) {
+void add_state(Dictionary &result, const PersonView &view, const CityModel &model, const Transform3D &frame) {
 	result["state"] = to_godot(state_name(view.state));
-	result["place"] = to_dictionary(view.place);
+	result["place"] = to_dictionary(view.place, model);
 	result["position"] = frame.xform(to_godot(view.position));
 	result["since"] = view.since.in_seconds();
 	if (view.state == PersonState::Walking) {
@@ -47,10 +61,6 @@ void add_state(Dictionary &result, const PersonView &view, const Transform3D &fr
 	result["presence"] = presences[size_t(view.presence)];
 }
 
-Transform3D frame_of(const PCGCity *city) {
-	return city && city->is_inside_tree() ? city->get_global_transform() : Transform3D();
-}
-
 } // namespace
 
 bool CitizenManager::has_person(int p_person) const {
@@ -58,8 +68,7 @@ bool CitizenManager::has_person(int p_person) const {
 }
 
 Dictionary CitizenManager::get_person(int p_person) const {
-	ERR_FAIL_COND_V_MSG(!has_person(p_person), Dictionary(),
-			"CitizenManager: there is no such person. Persons are numbered from 0; get_statistics() has their number.");
+	ERR_FAIL_COND_V_MSG(!has_person(p_person), Dictionary(), no_person);
 	const PersonId id = PersonId(p_person);
 	const Person &person = _life->population.person(id);
 	Dictionary result;
@@ -73,9 +82,15 @@ Dictionary CitizenManager::get_person(int p_person) const {
 	result["home"] = int64_t(to_number(_life->population.home_of(id)));
 	result["walking_speed"] = person.walking_speed;
 	if (is_running()) {
-		add_state(result, _life->simulation->view(id), frame_of(get_city()));
+		add_state(result, _life->simulation->view(id), _life->city->city.model, city_frame());
 	}
 	return result;
+}
+
+Dictionary CitizenManager::get_looks(int p_person) const {
+	ERR_FAIL_COND_V_MSG(!has_person(p_person), Dictionary(), no_person);
+	const PersonId id = PersonId(p_person);
+	return to_godot(_life->population, id, looks_of(_life->population, id));
 }
 
 // Calls a script for each person, which may do anything meanwhile.
@@ -101,8 +116,7 @@ PackedInt32Array CitizenManager::find_persons(const godot::Callable &p_predicate
 
 TypedArray<Dictionary> CitizenManager::get_agenda(int p_person, int p_day) const {
 	TypedArray<Dictionary> result;
-	ERR_FAIL_COND_V_MSG(!has_person(p_person), result,
-			"CitizenManager: there is no such person. Persons are numbered from 0; get_statistics() has their number.");
+	ERR_FAIL_COND_V_MSG(!has_person(p_person), result, no_person);
 	const AgendaView agenda = _life->agendas.agenda_of(PersonId(p_person));
 	const DayMask days = p_day < 0 ? all_days : DayMask(1u << SimTime::at(p_day, {}).weekday());
 	for (const Task &task : p_day < 0 ? agenda.week : agenda.on(p_day)) {
@@ -172,14 +186,13 @@ TypedArray<Dictionary> CitizenManager::get_diagnostics() const {
 void CitizenManager::flush_lives() const { _life->simulation->flush_lived(); }
 
 int CitizenManager::choose_household() const {
-	ERR_FAIL_COND_V_MSG(!is_running() || !_life->log, -1, "CitizenManager: no lives are recorded. Set record_lives before start().");
+	ERR_FAIL_COND_V_MSG(!has_recorded_lives(), -1, no_lives);
 	flush_lives();
 	return int(to_number(pcg::choose_household(_life->population, *_life->log)));
 }
 
 PackedStringArray CitizenManager::tell_day(int p_household, int p_day) const {
-	ERR_FAIL_COND_V_MSG(!is_running() || !_life->log, PackedStringArray(),
-			"CitizenManager: no lives are recorded. Set record_lives before start().");
+	ERR_FAIL_COND_V_MSG(!has_recorded_lives(), PackedStringArray(), no_lives);
 	ERR_FAIL_COND_V_MSG(p_household < 0 || size_t(p_household) >= _life->population.households.size(), PackedStringArray(),
 			"CitizenManager: there is no such household. Ask choose_household() for one worth telling of.");
 	flush_lives();
@@ -188,13 +201,11 @@ PackedStringArray CitizenManager::tell_day(int p_household, int p_day) const {
 }
 
 Error CitizenManager::save_lives(const String &p_path) const {
-	ERR_FAIL_COND_V_MSG(!is_running() || !_life->log, ERR_UNCONFIGURED,
-			"CitizenManager: no lives are recorded. Set record_lives before start().");
+	ERR_FAIL_COND_V_MSG(!has_recorded_lives(), ERR_UNCONFIGURED, no_lives);
 	flush_lives();
-	Diagnostics diagnostics;
-	write_lived_csv(from_godot(ProjectSettings::get_singleton()->globalize_path(p_path)), _life->city->city.model, _life->population, *_life->log, {}, diagnostics);
-	report(diagnostics);
-	return diagnostics.has_errors() ? ERR_FILE_CANT_WRITE : OK;
+	return save_to(p_path, [this](const std::string &path, Diagnostics &diagnostics) {
+		write_lived_csv(path, _life->city->city.model, _life->population, *_life->log, {}, diagnostics);
+	});
 }
 
 } // namespace pcg

@@ -1,6 +1,3 @@
-#include <cstring>
-
-#include <godot_cpp/classes/project_settings.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 
 #include "core/io/atomic_file.h"
@@ -33,15 +30,8 @@ bool can_restore(const CitizenLife &life, const std::string &state, Diagnostics 
 } // namespace
 
 PackedByteArray CitizenManager::save_state() const {
-	PackedByteArray result;
-	ERR_FAIL_COND_V_MSG(!is_running(), result, "CitizenManager: nothing runs. Call start() before save_state(); it may be paused.");
-	if (!is_alone("save_state")) {
-		return result;
-	}
-	const std::string bytes = state_file_bytes(*_life->simulation);
-	result.resize(int64_t(bytes.size()));
-	std::memcpy(result.ptrw(), bytes.data(), bytes.size());
-	return result;
+	ERR_FAIL_COND_V_MSG(!is_running(), PackedByteArray(), "CitizenManager: nothing runs. Call start() before save_state(); it may be paused.");
+	return is_alone("save_state") ? to_bytes(state_file_bytes(*_life->simulation)) : PackedByteArray();
 }
 
 // What is lived now ends only when all of the new life is known to be sound.
@@ -52,11 +42,10 @@ bool CitizenManager::load_state(const PackedByteArray &p_bytes) {
 	}
 	Diagnostics diagnostics;
 	std::shared_ptr<CitizenLife> life;
-	const std::string_view bytes(reinterpret_cast<const char *>(p_bytes.ptr()), size_t(p_bytes.size()));
 	std::optional<StateFile> file;
 	if (check_place(diagnostics)) {
 		life = new_life();
-		file = read_state_file(bytes, "saved state", diagnostics);
+		file = read_state_file(view_of(p_bytes), "saved state", diagnostics);
 	}
 	if (file) {
 		life->population = std::move(file->people.population);
@@ -81,11 +70,7 @@ Error CitizenManager::save_state_file(const String &p_path) const {
 	if (bytes.is_empty()) {
 		return ERR_UNCONFIGURED; // which was told
 	}
-	Diagnostics diagnostics;
-	const String path = ProjectSettings::get_singleton()->globalize_path(p_path);
-	write_file(from_godot(path), std::string_view(reinterpret_cast<const char *>(bytes.ptr()), size_t(bytes.size())), diagnostics);
-	report(diagnostics);
-	return diagnostics.has_errors() ? ERR_FILE_CANT_WRITE : OK;
+	return save_to(p_path, [&bytes](const std::string &path, Diagnostics &diagnostics) { write_file(path, view_of(bytes), diagnostics); });
 }
 
 Error CitizenManager::load_state_file(const String &p_path) {
@@ -96,10 +81,7 @@ Error CitizenManager::load_state_file(const String &p_path) {
 		report(diagnostics);
 		return ERR_FILE_CANT_READ;
 	}
-	PackedByteArray bytes;
-	bytes.resize(int64_t(text->size()));
-	std::memcpy(bytes.ptrw(), text->data(), text->size());
-	return load_state(bytes) ? OK : ERR_FILE_CORRUPT;
+	return load_state(to_bytes(*text)) ? OK : ERR_FILE_CORRUPT;
 }
 
 Ref<PCGPopulation> CitizenManager::keep_population() {

@@ -26,8 +26,13 @@ constexpr double longest_advance = 366.0 * 86400.0; // seconds
 } // namespace
 
 void CitizenManager::_process(double p_delta) {
-	if (leave_lost_city() && is_running() && !_is_paused) { // a city that was freed has told nobody
+	if (!leave_lost_city() || !is_running()) { // a city that was freed has told nobody
+		return;
+	}
+	if (!_is_paused) {
 		advance(p_delta * _time_scale);
+	} else if (PCGAgentView *view = get_agent_view()) {
+		view->show_again(_life->simulation->now());
 	}
 }
 
@@ -61,6 +66,23 @@ bool CitizenManager::tell_news() {
 	return tell_notices();
 }
 
+// Agendas that are to be renewed are so between the days. False if this node is gone.
+bool CitizenManager::step_over_midnight(Duration step) {
+	const SimTime end = _life->simulation->now() + step;
+	const SimTime midnight = SimTime::at(_life->simulation->now().day() + 1, {});
+	const uint64_t self = get_instance_id();
+	if (_renews_agendas && midnight <= end) {
+		if (!move([midnight](Simulation &simulation) { simulation.advance_to(midnight); })) {
+			return false;
+		}
+		take_over_rules();
+		if (!is_there(self) || !is_running()) {
+			return false;
+		}
+	}
+	return move([end](Simulation &simulation) { simulation.advance_to(end); });
+}
+
 void CitizenManager::advance(double p_seconds) {
 	ERR_FAIL_COND_MSG(!is_running(), "CitizenManager: nothing runs. Call start() before advance().");
 	ERR_FAIL_COND_MSG(!(p_seconds >= 0.0 && p_seconds <= longest_advance),
@@ -73,7 +95,7 @@ void CitizenManager::advance(double p_seconds) {
 	const double seconds = p_seconds + _owed_seconds;
 	const Duration step{ int64_t(std::floor(seconds * 1000.0)) };
 	_owed_seconds = seconds - step.in_seconds();
-	if (!move([step](Simulation &simulation) { simulation.step(step); })) {
+	if (!step_over_midnight(step)) {
 		return;
 	}
 	if (_life->checker) {
@@ -103,6 +125,13 @@ void CitizenManager::jump_to(int p_day, double p_seconds) {
 		return;
 	}
 	_owed_seconds = 0.0;
+	const uint64_t self = get_instance_id();
+	if (_renews_agendas && time.day() > _life->simulation->now().day()) {
+		take_over_rules();
+		if (!is_there(self) || !is_running()) {
+			return;
+		}
+	}
 	if (move([time](Simulation &simulation) { simulation.jump_to(time); }) && tell_news()) {
 		emit_signal("time_jumped");
 	}

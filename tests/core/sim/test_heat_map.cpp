@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "core/sim/heat_map.h"
+#include "core/sim/age_heat.h"
 #include "core/sim/heat_map_image.h"
 #include "tests/core/sim/town.h"
 
@@ -19,15 +19,50 @@ TEST_CASE("a heat map holds every second that somebody spent outdoors, where it 
 	Simulation &simulation = town.simulate();
 	HeatGrid grid{ { 0.0f, 0.0f }, 2.0f, 60, 2 };
 	HeatMap all(grid);
-	HeatMap children(grid, [&](PersonId id) { return town.population.person(id).age < 18.0f; });
 	simulation.add_observer(all);
-	simulation.add_observer(children);
 	simulation.start(moment(0, 0));
 	simulation.advance_to(moment(1, 0));
 	CHECK(all.total() == doctest::Approx(400.0)); // two persons, two walks of 100 s
-	CHECK(children.total() == doctest::Approx(200.0));
 	CHECK(all.person_seconds()[25] == doctest::Approx(8.0)); // 2 m at 1 m/s, four times
 	CHECK(all.person_seconds()[60] == 0.0);
+}
+
+TEST_CASE("heat of ages and hours adds up to all of it, on the same ground") {
+	Town town;
+	const BuildingId home = town.building("house", 1.0f, 1.0f);
+	const BuildingId work = town.building("workplace", 101.0f, 1.0f);
+	town.household(home);
+	const PersonId ana = town.person(40.0f, 1.0f);
+	const PersonId leo = town.person(8.0f, 1.0f);
+	town.go(ana, at(8), at(16), work);
+	town.go(leo, at(7, 59, 40), at(16), work); // 20 of his 100 s are of the hour before
+	AgeHeat heat(town.city, town.population);
+	Simulation &simulation = town.simulate();
+	simulation.add_observer(heat);
+	simulation.start(moment(0, 0));
+	simulation.advance_to(moment(1, 0));
+	const size_t children = 0, adults = 1, elders = 2;
+	CHECK(heat.map({}, {}).total() == doctest::Approx(400.0));
+	CHECK(heat.map(children, {}).total() == doctest::Approx(200.0));
+	CHECK(heat.map(adults, {}).total() == doctest::Approx(200.0));
+	CHECK(heat.map(elders, {}).total() == 0.0);
+	CHECK(heat.map(children, 7).total() == doctest::Approx(20.0));
+	CHECK(heat.map(children, 8).total() == doctest::Approx(80.0));
+	CHECK(heat.map({}, 7).total() == doctest::Approx(20.0));
+	CHECK(heat.map({}, 8).total() == doctest::Approx(180.0));
+	CHECK(heat.map({}, 16).total() == doctest::Approx(200.0));
+	CHECK(heat.map({}, 3).total() == 0.0);
+	const HeatMap hour = heat.map(children, 7);
+	const HeatGrid &coarse = hour.grid();
+	CHECK(coarse.cell == 2.0f * heat.grid().cell);
+	CHECK(coarse.cell * float(coarse.columns) == heat.grid().cell * float(heat.grid().columns));
+	CHECK(coarse.cell * float(coarse.rows) == heat.grid().cell * float(heat.grid().rows));
+	const auto at_metre = [&](float x) { // along his way, which begins at (1, 1)
+		const size_t column = size_t((x - coarse.origin.x) / coarse.cell), row = size_t((1.0f - coarse.origin.y) / coarse.cell);
+		return hour.person_seconds()[row * coarse.columns + column];
+	};
+	CHECK(at_metre(10.0f) == doctest::Approx(4.0)); // a cell of 4 m at 1 m/s
+	CHECK(at_metre(50.0f) == 0.0); // where he was after eight
 }
 
 TEST_CASE("the grid covers the whole city and keeps to its limit") {

@@ -126,8 +126,8 @@ struct Town {
 		floating_tasks[index_of(id)].push_back({ rule(name), duration, priority, all_days });
 	}
 
-	// After all persons and tasks.
-	Simulation &simulate(SimulationSettings settings = {}) {
+	// Of all persons and tasks.
+	void write_agendas() {
 		agendas = {};
 		for (size_t i = 0; i < tasks.size(); ++i) {
 			agendas.first_task.push_back(uint32_t(agendas.tasks.size()));
@@ -139,6 +139,11 @@ struct Town {
 		agendas.first_task.push_back(uint32_t(agendas.tasks.size()));
 		agendas.first_floating_task.push_back(uint32_t(agendas.floating_tasks.size()));
 		agendas.groups = groups;
+	}
+
+	// After all persons and tasks.
+	Simulation &simulate(SimulationSettings settings = {}) {
+		write_agendas();
 		_simulation =
 				std::make_unique<Simulation>(city, paths, population, agendas, program, settings, host);
 		return *_simulation;
