@@ -70,14 +70,15 @@ func _take_people() -> void:
 	await _wait(3)
 	_save("shares")
 	authoring.context.citizens.jump_to(0, 8.0 * 3600.0)
-	await _look_at(Vector3(-75.0, 0.0, 0.0), 70.0)
 	dock.show_page(2)
 	authoring.dock.simulation_tab.start_survey()
 	await authoring.dock.simulation_tab.survey.ended
 	(authoring.dock.simulation_tab.get_node("%Heat") as CheckBox).button_pressed = true
+	await _look_at(_find_crowd(), 24.0)
 	await _wait(4)
 	_save("simulation")
 	(authoring.dock.simulation_tab.get_node("%Heat") as CheckBox).button_pressed = false
+	await _look_at(Vector3(-75.0, 0.0, 0.0), 70.0)
 	dock.show_page(3)
 	authoring.context.choose_person(_find_child())
 	(authoring.dock.person_tab.get_node("%Ways") as CheckBox).button_pressed = true
@@ -90,9 +91,19 @@ func _take_people() -> void:
 	dialog.hide()
 
 
+# Where somebody outdoors has most others around.
+func _find_crowd() -> Vector3:
+	var places: Array = Array(authoring.context.citizens.get_persons_outside()).map(func(person: int) -> Vector3:
+		return authoring.context.citizens.get_person(person)["position"])
+	var count_near := func(place: Vector3) -> int:
+		return places.filter(func(other: Vector3) -> bool: return place.distance_to(other) < 8.0).size()
+	places.sort_custom(func(one: Vector3, other: Vector3) -> bool: return count_near.call(one) > count_near.call(other))
+	return places[0] if not places.is_empty() else Vector3.ZERO
+
+
 # Whose week has most ways.
 func _find_child() -> int:
-	for person: int in authoring.dock.population_tab.count_persons():
+	for person: int in authoring.context.count_persons():
 		if int(authoring.context.citizens.get_person(person)["age"]) in range(7, 15):
 			return person
 	return 0

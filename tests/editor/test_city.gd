@@ -101,6 +101,32 @@ func test_selected_lots_and_blocks_are_generated_anew_with_what_their_types_have
 	check_equal(_tab.get_selected_lots().size(), city.get_statistics()["lots"], "a node above them means all of them")
 
 
+func test_undo_makes_the_city_that_stood_there_with_its_lots_of_other_rules() -> void:
+	var city: PCGCity = await _add_small_city()
+	_tab.generate()
+	await _generated(city)
+	var lot: PCGLot = city.find_children("*", "PCGLot", true, false).filter(func(node: PCGLot) -> bool: return node.type == "house")[0]
+	var old_rules: PCGRuleSet = city.lot_types[0].rules
+	var new_rules: PCGRuleSet = CityForTests.make_rules(CityForTests.HOUSE.replace("extrude(6)", "extrude(9) split(y) { 3: X. | ~1: X. }"))
+	city.lot_types[0].rules = new_rules
+	EditorInterface.get_selection().clear()
+	EditorInterface.get_selection().add_node(lot)
+	_tab.generate_selected()
+	await frames(3)
+	var faces: int = city.get_statistics()["faces"]
+	_tab.throw_dice()
+	await _generated(city)
+	check(int(city.get_statistics()["faces"]) != faces, "a city of the new rules only")
+	await undo(city)
+	await _generated(city)
+	check_equal(city.get_statistics()["faces"], faces, "one house is of the new rules, the others of the old ones")
+	check_equal(city.lot_types[0].rules, new_rules, "which its type has")
+	await undo(city)
+	check_equal(city.lot_types[0].rules, old_rules, "before that the old ones")
+	await redo(city)
+	check_equal(city.get_statistics()["faces"], faces, "and again")
+
+
 func test_a_saved_scene_comes_back_with_its_city_and_its_rules() -> void:
 	var city: PCGCity = await _add_small_city()
 	city.lot_types[0].rules = load(write("res://typed/house.cga", CityForTests.HOUSE))
@@ -145,7 +171,7 @@ func test_a_click_on_a_building_selects_its_lot() -> void:
 	var click := InputEventMouseButton.new()
 	click.button_index = MOUSE_BUTTON_LEFT
 	click.pressed = true
-	get_authoring().take_viewport_input(null, click)
+	get_authoring().take_viewport_input(EditorInterface.get_editor_viewport_3d(0).get_camera_3d(), click)
 	EditorInterface.edit_node(geometry)
 	await frames(3)
 	check_equal(EditorInterface.get_selection().get_selected_nodes(), [lot] as Array[Node], "by a click")
@@ -161,7 +187,7 @@ func test_cancelling_leaves_nothing_running() -> void:
 	await frames(1)
 	(_tab.get_node("%Cancel") as Button).pressed.emit()
 	await _generated(city)
-	check(not city.is_generating(), "cancelled")
+	check(not city.is_generated(), "cancelled")
 	check(not (_tab.get_node("%Generate") as Button).disabled, "and ready to begin again")
 
 
@@ -169,6 +195,8 @@ func test_attributes_are_controls_by_their_annotations() -> void:
 	var type := PCGLotType.new()
 	type.rules = load("res://rules/cga/house.cga")
 	var attributes := RuleAttributes.new(type)
+	for drawn: StringName in [&"roofType", &"wallColor", &"hasDormers"]: # by the rules, for each house
+		attributes.tick(drawn, true)
 	var by_name: Dictionary = {}
 	for property: Dictionary in attributes.get_property_list():
 		by_name[property["name"]] = property
@@ -179,11 +207,49 @@ func test_attributes_are_controls_by_their_annotations() -> void:
 	check_equal(by_name["Colours"]["usage"], PROPERTY_USAGE_GROUP, "a group")
 	check(not by_name.has("plinthColor"), "names without attr are the rules' own")
 	attributes.set("wallColor", Color("#ff0000"))
-	check_equal(type.attributes, {"wallColor": "#ff0000"}, "as the rules want it")
-	attributes.set("floorHeight", 0.0)
-	check_equal(type.attributes["floorHeight"], 2.8, "ticking begins with the rules' own value")
-	attributes.set("wallColor", null)
+	check_equal(type.attributes["wallColor"], "#ff0000", "as the rules want it")
+	attributes.tick("wallColor", false)
 	check(not type.attributes.has("wallColor"), "unticking leaves it to the rules")
+
+
+func test_attributes_that_are_left_to_the_rules_show_what_those_say() -> void:
+	var type := PCGLotType.new()
+	type.rules = CityForTests.make_rules("""@Range(min=2, max=5)
+attr high =
+	2.8 // on the next line
+@Range(min=1, max=9)
+attr drawn = rand(2, 4)
+attr isTall = high == 3
+@Enum("gable", "hip")
+attr roof = "hip"
+@Color
+attr wall = "#336699"
+@StartRule
+Lot --> extrude(high) X.
+""")
+	var attributes := RuleAttributes.new(type)
+	check_equal(attributes.get("high"), 2.8, "a number, not the least that is allowed")
+	check_equal(attributes.get("roof"), "hip", "a choice")
+	check_equal(attributes.get("wall"), Color("#336699"), "a colour")
+	check_equal([attributes.get("drawn"), attributes.get("isTall")], ["rand(2, 4)", "high == 3"], "what differs from lot to lot stands as it is written")
+	attributes.tick("high", true)
+	attributes.tick("drawn", true)
+	check_equal(type.attributes, {"high": 2.8, "drawn": 1.0}, "ticking begins with the rules' own value, else with the least")
+	check_equal(attributes.get("drawn"), 1.0, "which is shown then")
+
+
+func test_ticking_an_attribute_can_be_undone() -> void:
+	var city: PCGCity = await _add_small_city()
+	city.lot_types[0].rules = load("res://rules/cga/house.cga")
+	_tab.show_attributes(city.lot_types[0])
+	await frames(2)
+	for control: EditorProperty in _tab.get_node("%Attributes").find_children("*", "EditorProperty", true, false):
+		if control.get_edited_property() == &"floorHeight":
+			control.property_checked.emit("floorHeight", true)
+			break
+	check_equal(city.lot_types[0].attributes, {"floorHeight": 2.8}, "ticked")
+	await undo(city)
+	check_equal(city.lot_types[0].attributes, {}, "undone")
 
 
 func test_problems_of_the_scene_are_listed_and_lead_to_their_place() -> void:

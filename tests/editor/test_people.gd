@@ -5,6 +5,7 @@ extends "res://tests/editor/editor_suite.gd"
 const CityForTests := preload("res://tests/godot/city_for_tests.gd")
 const PCGDock := preload("res://addons/pcg/editor/pcg_dock.gd")
 const PeopleFilter := preload("res://addons/pcg/editor/people/people_filter.gd")
+const TaskColors := preload("res://addons/pcg/editor/person/task_colors.gd")
 const EIGHT := 8.0 * 3600.0
 
 var _dock: PCGDock
@@ -47,7 +48,7 @@ func _filtered(text: String) -> Array[int]:
 
 
 func test_people_are_listed_and_found_by_what_is_asked() -> void:
-	var all: int = _dock.population_tab.count_persons()
+	var all: int = _dock.context.count_persons()
 	check(all >= 40, "they are drawn")
 	check_equal(_filtered("").size(), all, "all are listed")
 	var children: Array[int] = _filtered("age<18")
@@ -92,6 +93,50 @@ func test_the_timeline_puts_entries_where_they_belong() -> void:
 	check_near(rects[0].size.x, 3.0 * rects[1].size.x, 0.5, "18 hours are thrice 6")
 
 
+func test_generating_people_is_one_step_to_undo() -> void:
+	var names := func() -> Array: return range(_dock.context.count_persons()).map(func(person: int) -> String: return _citizens.get_person(person)["name"])
+	var before: Array = names.call()
+	_citizens.person_count = 20
+	_dock.population_tab.generate()
+	check(_dock.context.count_persons() < before.size(), "fewer people")
+	var after: Array = names.call()
+	await undo(_citizens)
+	check_equal(names.call(), before, "the same people as before")
+	check_equal(_citizens.person_count, 40, "with their settings")
+	await undo(_citizens)
+	check_equal(_dock.context.count_persons(), 0, "nobody")
+	check_equal(_dock.population_tab.get_listed().size(), 0, "and nobody listed")
+	await redo(_citizens)
+	await redo(_citizens)
+	check_equal(names.call(), after, "done again: the same people")
+
+
+func test_the_page_of_a_person_tells_its_looks() -> void:
+	_dock.context.choose_person(3)
+	var looks: Dictionary = _citizens.get_looks(3)
+	for part: String in ["hair", "skin", "clothes"]:
+		var shown: ColorRect = _dock.person_tab.get_node("%" + part.capitalize())
+		check(shown.color.is_equal_approx((looks[part + "_color"] as Color).linear_to_srgb()), part)
+
+
+func test_the_week_tells_home_from_other_stays_by_its_colour() -> void:
+	_citizens.jump_to(0, 3.0 * 3600.0)
+	_citizens.start()
+	_dock.context.choose_person(_filtered("school")[0])
+	await frames(2)
+	_citizens.jump_to(0, 12.0 * 3600.0)
+	await frames(2)
+	var lived: Array = _dock.person_tab.recorder.spans.map(func(span: Dictionary) -> String: return span["kind"])
+	check_equal(lived.slice(-1), ["inside"], "at school at noon: %s" % [lived])
+	_citizens.jump_to(0, 23.0 * 3600.0)
+	await frames(2)
+	check_equal(_dock.person_tab.recorder.spans[-1]["kind"], "home", "at home in the evening")
+	check(TaskColors.of("home") != TaskColors.of("inside"), "in two colours")
+	var home: int = _citizens.get_person(_dock.context.person)["home"]
+	var stay := {"kind": "stayInside", "target": home}
+	check(TaskColors.of_entry(stay, home) != TaskColors.of_entry(stay, home + 1), "and so is what is planned")
+
+
 func test_the_simulation_runs_in_the_editor() -> void:
 	_citizens.jump_to(0, EIGHT - 1800.0)
 	_dock.simulation_tab.play_or_pause()
@@ -113,12 +158,18 @@ func test_a_survey_counts_who_is_outdoors_and_puts_the_clock_back() -> void:
 	check_equal([_citizens.day, _citizens.time], [1, EIGHT], "the clock is where it was")
 	(_dock.simulation_tab.get_node("%Heat") as CheckBox).button_pressed = true
 	check(_dock.simulation_tab.overlay.is_shown(), "the heat map lies on the ground")
-	var cells: Dictionary = _dock.simulation_tab.survey.sum_cells(-1, -1)
-	var parts := 0
-	for group: int in 3:
-		parts += _dock.simulation_tab.survey.sum_cells(-1, group).values().reduce(func(sum: int, n: int) -> int: return sum + n, 0)
-	check_equal(parts, cells.values().reduce(func(sum: int, n: int) -> int: return sum + n, 0), "ages add up to all")
-	check_equal(parts, counts.reduce(func(sum: int, n: int) -> int: return sum + n, 0), "and to the plot")
+	check(not _citizens.record_lives, "and nothing is recorded any more")
+	var day: PackedByteArray = _citizens.get_heat_image().get_data()
+	_citizens.advance(4.0 * 3600.0)
+	check_equal(_citizens.get_heat_image().get_data(), day, "what is lived after the survey does not change its picture")
+	for hour: int in 24:
+		var is_anybody_outdoors: bool = counts.slice(12 * hour, 12 * hour + 11).max() > 0 # the twelfth is the next hour's
+		var is_drawn: bool = _citizens.get_heat_image("", hour).get_used_rect().has_area()
+		check(is_drawn or not is_anybody_outdoors, "whoever the plot counts between %d and %d h is on the map of that hour" % [hour, hour + 1])
+	check(not _citizens.get_heat_image("", 1).get_used_rect().has_area(), "nobody at one in the night")
+	_citizens.stop()
+	await frames(2)
+	check(not _dock.simulation_tab.overlay.is_shown(), "without a record there is no map")
 
 
 func test_ways_of_a_day_lie_on_the_map() -> void:
@@ -140,10 +191,18 @@ func test_somebody_is_picked_in_the_viewport() -> void:
 		if _citizens.get_persons_outside().is_empty():
 			_citizens.advance(60.0)
 	var person: int = _citizens.get_persons_outside()[0]
-	var camera := Camera3D.new()
-	EditorInterface.get_edited_scene_root().add_child(camera)
-	var at: Vector3 = (_citizens.get_person(person)["position"] as Vector3) + Vector3(0.0, 0.9, 0.0)
-	camera.look_at_from_position(at + Vector3(0.0, 5.0, 10.0), at)
+	var view: PCGAgentView = _citizens.get_agent_view()
+	var at: Vector3 = view.global_transform * view.get_shown_position(person) + Vector3(0.0, 0.85, 0.0)
+	var camera: Camera3D = EditorInterface.get_editor_viewport_3d(0).get_camera_3d()
+	camera.look_at_from_position(at + Vector3(0.0, 60.0, 80.0), at + Vector3(0.0, 60.0, 160.0))
+	await frames(2)
+	check_equal(view.get_level(person), "data", "whoever is behind the editor's camera is not drawn")
+	camera.look_at_from_position(at + Vector3(0.0, 60.0, 80.0), at)
+	await frames(2)
+	check_equal(view.get_level(person), "figure", "whoever is before it is, though the clock stands")
+	camera.look_at_from_position(at + Vector3(0.0, 2.0, 4.0), at)
+	await frames(2)
+	check_equal(view.get_level(person), "agent", "and nearby by a scene")
 	check(_dock.person_tab.pick(camera, camera.unproject_position(at)), "a click on a person")
 	check_equal(_dock.context.person, person, "shows that person")
 	check(not _dock.person_tab.pick(camera, Vector2(-5000.0, 0.0)), "a click on nobody shows nobody")
@@ -157,12 +216,23 @@ func test_people_who_live_take_over_new_rules_where_they_are() -> void:
 	get_authoring().rules.open("res://typed/weekday.pcg")
 	get_authoring().rules.get_current().text = CityForTests.WEEKDAY.replace("8h, 16h", "8h, 12h")
 	get_authoring().rules.save_current()
+	var child: int = _filtered("school")[0]
+	var starts := [0]
+	_citizens.simulation_started.connect(func() -> void: starts[0] += 1)
+	check(not _leaves_at_noon(child), "today is lived by the old rules")
+	_citizens.advance(16.0 * 3600.0)
+	check(_leaves_at_noon(child), "tomorrow by those that were saved: %s" % [_citizens.get_agenda(child)])
+	get_authoring().rules.get_current().text = CityForTests.WEEKDAY
+	get_authoring().rules.save_current()
 	(get_authoring().rules.get_node("%Regenerate") as Button).pressed.emit()
 	await frames(2)
-	check(_citizens.is_running(), "life goes on")
-	check_equal([_citizens.day, _citizens.time], [0, EIGHT + 3600.0], "at the same time")
-	var child: int = _filtered("school")[0]
-	check(_citizens.get_agenda(child).any(func(entry: Dictionary) -> bool: return entry["end"] == 12.0 * 3600.0), "by the new rules: %s" % [_citizens.get_agenda(child)])
+	check_equal([_citizens.day, _citizens.time], [1, 3600.0], "at the same time")
+	check(not _leaves_at_noon(child), "at once, if that is wanted")
+	check(_citizens.is_running() and starts[0] == 0, "life goes on")
+
+
+func _leaves_at_noon(person: int) -> bool:
+	return _citizens.get_agenda(person).any(func(entry: Dictionary) -> bool: return entry["end"] == 12.0 * 3600.0)
 
 
 func test_a_city_that_is_made_anew_is_left_without_a_warning() -> void:
@@ -172,18 +242,20 @@ func test_a_city_that_is_made_anew_is_left_without_a_warning() -> void:
 		await get_tree().process_frame
 	await frames(2)
 	check(not _citizens.is_running(), "nobody lives there any more")
+
+
 func test_an_entry_is_put_into_an_agenda_and_taken_back() -> void:
 	_dock.context.choose_person(_filtered("age>=18")[0])
 	var before: int = _dock.person_tab.get_entries().size()
 	var dialog: Node = _dock.person_tab.get_node("%EntryDialog")
 	var home: int = _citizens.get_person(_dock.context.person)["home"]
 	dialog.call("fill", _dock.context, {"kind": "stayInside", "target": home, "start": 13.0 * 3600.0, "end": 14.5 * 3600.0})
-	(dialog.get_node("%When") as OptionButton).select(1)
 	_dock.person_tab.insert(dialog.call("make_task"))
 	await frames(2)
 	var inserted: Array = _dock.person_tab.get_entries().filter(func(entry: Dictionary) -> bool: return entry["start"] == 13.0 * 3600.0)
 	check_equal(inserted.size(), 1, "it stands in the agenda")
 	check_equal(inserted[0]["end"], 14.5 * 3600.0, "until half past two")
+	check_equal(inserted[0]["days"], PackedStringArray(["mon"]), "on the day that the clock shows")
 	await undo(_citizens)
 	check_equal(_dock.person_tab.get_entries().size(), before, "and is gone again")
 	check(_dock.person_tab.get_entries().all(func(entry: Dictionary) -> bool: return entry["start"] != 13.0 * 3600.0), "altogether")

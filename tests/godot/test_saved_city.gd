@@ -178,6 +178,24 @@ func test_a_lot_that_is_generated_anew_touches_no_other() -> void:
 	check_equal(city.get_statistics()["entrances"]["house"], lots.size(), "as many doors as before")
 
 
+func test_lots_that_are_generated_anew_say_what_is_wrong_with_them_now() -> void:
+	var city: PCGCity = CityForTests.make_city(12)
+	city.lot_types[0].rules = CityForTests.make_rules(CityForTests.HOUSE.replace("X.", "i(\"no_yard.obj\")"))
+	add_child(city)
+	expect_message("no_yard.obj")
+	city.generate_now()
+	var said := func(text: String) -> bool: return city.get_diagnostics().any(func(entry: Dictionary) -> bool: return str(entry["message"]).contains(text))
+	check(said.call("no_yard.obj"), "a file is missing: %s" % [city.get_diagnostics()])
+	city.lot_types[0].rules = CityForTests.make_rules(CityForTests.HOUSE)
+	for lot: PCGLot in city.find_children("*", "PCGLot", true, false).filter(func(node: PCGLot) -> bool: return node.type == "house"):
+		city.regenerate_lot(lot.lot_id)
+	check(not said.call("no_yard.obj"), "no more: %s" % [city.get_diagnostics()])
+	city.lot_types[0].rules = CityForTests.make_rules(CityForTests.HOUSE.replace("X.", "i(\"no_hedge.obj\")"))
+	expect_message("no_hedge.obj")
+	city.regenerate_lot(city.find_children("*", "PCGLot", true, false).filter(func(node: PCGLot) -> bool: return node.type == "house")[0].lot_id)
+	check(said.call("no_hedge.obj"), "another one is: %s" % [city.get_diagnostics()])
+
+
 func test_a_block_is_generated_anew_without_the_lot_that_was_deleted() -> void:
 	var city: PCGCity = _grown()
 	var lots: Array = _nodes(city, "PCGLot").filter(func(lot: PCGLot) -> bool: return lot.block_id == 0)

@@ -41,6 +41,7 @@ func open(of: EditorPlugin) -> void:
 	dock.place_wanted.connect(show_place)
 	rules.rules_checked.connect(dock.take_rule_diagnostics)
 	rules.rules_closed.connect(dock.forget_rule_diagnostics)
+	rules.rules_saved.connect(_on_rules_saved)
 	rules.regeneration_wanted.connect(_on_regeneration_wanted)
 
 
@@ -82,7 +83,14 @@ func show_place(path: String, line: int, column: int = 1) -> void:
 		(rules.get_parent() as EditorDock).make_visible()
 
 
-# Whoever uses the rules is made anew: cities, else those who live by them.
+# Whoever lives takes rules without errors over for the next day, without being asked.
+func _on_rules_saved(path: String) -> void:
+	for citizens: CitizenManager in context.get_users(path).filter(func(node: Node) -> bool: return node is CitizenManager):
+		if citizens.is_running() and not citizens.rules.has_errors():
+			citizens.renew_agendas()
+
+
+# Whoever uses the rules is made anew at once: cities, else those who live by them.
 func _on_regeneration_wanted(path: String) -> void:
 	for node: Node in context.get_users(path):
 		if node is PCGCity:
@@ -92,6 +100,7 @@ func _on_regeneration_wanted(path: String) -> void:
 
 
 func take_viewport_input(camera: Camera3D, event: InputEvent) -> int:
+	context.viewport = camera.get_viewport()
 	return clicks.take(camera, event)
 
 

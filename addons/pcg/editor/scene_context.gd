@@ -14,18 +14,27 @@ var citizens: CitizenManager:
 	get:
 		return instance_from_id(_citizens_id) as CitizenManager if is_instance_id_valid(_citizens_id) else null
 var person := -1
-var _buildings: Dictionary[int, Dictionary] = {}
-var _buildings_of := 0 # instance id of the city that they stand in
+var viewport: Viewport ## of the editor, that somebody looked into last
+var _household_types := PackedStringArray() # by row of the table
+var _table: PCGHouseholdTable
 var _city_id := 0
 var _citizens_id := 0
 
 
 func open(of: EditorPlugin) -> void:
 	plugin = of
+	viewport = EditorInterface.get_editor_viewport_3d(0)
 	plugin.scene_changed.connect(_on_scene_changed)
 	EditorInterface.get_selection().selection_changed.connect(refresh)
 	get_tree().node_added.connect(_on_node_changed)
 	get_tree().node_removed.connect(_on_node_changed)
+
+
+# The scene's own viewport is not the one that people are seen in.
+func _process(_delta: float) -> void:
+	var view: PCGAgentView = citizens.get_agent_view() if citizens else null
+	if view:
+		view.camera = viewport.get_camera_3d()
 
 
 func get_undo() -> EditorUndoRedoManager:
@@ -47,9 +56,7 @@ func get_cities() -> Array[PCGCity]:
 
 ## A building by its number: `type` and `position` of its first entrance; empty if it has none.
 func get_building(id: int) -> Dictionary:
-	if _buildings_of != _city_id or not _buildings.has(id):
-		_read_buildings()
-	return _buildings.get(id, {})
+	return city.get_building(id) if city and id in range(city.get_building_count()) else {}
 
 
 ## What people call a building.
@@ -58,12 +65,32 @@ func get_building_text(id: int) -> String:
 	return "%s %d" % [building["type"], id] if not building.is_empty() else "building %d" % id
 
 
-func _read_buildings() -> void:
-	_buildings.clear()
-	_buildings_of = _city_id
-	for entrance: PCGEntrance in city.find_children("*", "PCGEntrance", true, false) if city else ([] as Array[Node]):
-		if not _buildings.has(entrance.building_id):
-			_buildings[entrance.building_id] = {"type": entrance.type, "position": entrance.global_position}
+func has_person() -> bool:
+	return citizens != null and citizens.has_person(person)
+
+
+## Persons that were generated. Costs all figures of the simulation.
+func count_persons() -> int:
+	return citizens.get_statistics()["persons"] if citizens else 0
+
+
+## The table's words for the household of a person as CitizenManager.get_person() tells it; empty for one that stands in no table.
+func get_household_type(told: Dictionary) -> String:
+	if citizens.household_table != _table:
+		if _table:
+			_table.changed.disconnect(_read_household_types)
+		_table = citizens.household_table
+		if _table:
+			_table.changed.connect(_read_household_types)
+		_read_household_types()
+	var row: int = told["household_row"]
+	return _household_types[row] if row in range(_household_types.size()) else ""
+
+
+func _read_household_types() -> void:
+	_household_types.clear()
+	for row: Dictionary in _table.get_households() if _table else ([] as Array[Dictionary]):
+		_household_types.append(row["descriptor"])
 
 
 ## Whoever lives in a city leaves it in time: it is about to be made anew.
@@ -89,7 +116,7 @@ func refresh() -> void:
 			if other.city == new_city:
 				new_citizens = other
 	var is_new: bool = new_city != city or new_citizens != citizens
-	_follow(new_city)
+	_follow(new_city, new_citizens)
 	_city_id = new_city.get_instance_id() if new_city else 0
 	_citizens_id = new_citizens.get_instance_id() if new_citizens else 0
 	if is_new:
@@ -98,14 +125,19 @@ func refresh() -> void:
 
 
 # What is generated or cleared changes what can be done with it.
-func _follow(new_city: PCGCity) -> void:
+func _follow(new_city: PCGCity, new_citizens: CitizenManager) -> void:
+	if new_citizens and not new_citizens.agendas_renewed.is_connected(_on_agendas_renewed):
+		new_citizens.agendas_renewed.connect(_on_agendas_renewed)
 	for signal_name: StringName in [&"city_generated", &"city_cleared"]:
 		if new_city and not new_city.is_connected(signal_name, _on_city_changed):
 			new_city.connect(signal_name, _on_city_changed, CONNECT_DEFERRED)
 
 
+func _on_agendas_renewed() -> void:
+	choose_person(person)
+
+
 func _on_city_changed(_success: bool = true) -> void:
-	_buildings.clear()
 	changed.emit()
 
 

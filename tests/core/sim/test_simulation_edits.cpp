@@ -175,51 +175,6 @@ TEST_CASE("who is removed leaves its group, its seat and its building, and is se
 	CHECK(simulation.view(t.ana).presence == Presence::Removed);
 }
 
-TEST_CASE("other agendas and rules are taken over by everybody where they are") {
-	Town town;
-	const BuildingId home = town.building("house", 0.0f);
-	const BuildingId work = town.building("workplace", 100.0f);
-	const BuildingId shop = town.building("shop", 50.0f, 40.0f);
-	town.household(home);
-	const PersonId ana = town.person(), leo = town.person(8.0f), eva = town.person(), max = town.person();
-	town.rules("members { true: delayedRule(8h, 10h, Rest) } Rest --> wait(2h)");
-	town.go(ana, at(8), at(16), work);
-	town.accompany(eva, { leo }, at(8), at(16), work);
-	town.delayed(max, at(7), at(10), "Rest");
-	Simulation &simulation = town.simulate();
-	simulation.start(moment(0, 6));
-	simulation.advance_to(moment(0, 8, 0, 50));
-	REQUIRE(simulation.position(ana).x == doctest::Approx(50.0));
-	REQUIRE(simulation.position(leo).x == doctest::Approx(50.0));
-	REQUIRE(simulation.state(max) == PersonState::Inside);
-	const std::vector<glm::vec3> before{ simulation.position(ana), simulation.position(leo), simulation.position(eva) };
-
-	simulation.change_agendas([&] {
-		town.groups.clear();
-		for (std::vector<Task> &tasks : town.tasks) {
-			tasks.clear();
-		}
-		town.rules("members { true: delayedRule(8h, 10h, Buy) } First --> wait(1s) Buy --> goToBuilding(findNearestBuilding(\"shop\", home)) wait(1m)");
-		town.go(ana, at(8), at(16), shop);
-		town.delayed(max, at(7), at(10), "Buy");
-		town.write_agendas();
-		return town.program;
-	});
-	CHECK(simulation.position(ana) == before[0]);
-	CHECK(simulation.position(leo) == before[1]);
-	CHECK(simulation.position(eva) == before[2]);
-	simulation.advance_to(moment(0, 8, 1, 31)); // 40 m, then through the door
-	CHECK(simulation.state(ana) == PersonState::Inside);
-	CHECK(simulation.view(ana).place.building() == shop);
-	CHECK(simulation.state(leo) == PersonState::Walking);
-	CHECK(simulation.view(leo).place.building() == home); // nothing is planned, and nobody leads
-	CHECK(simulation.view(eva).place.building() == home);
-	CHECK(simulation.view(max).place.building() == shop); // by the new rule, from the beginning
-	simulation.advance_to(moment(1, 6));
-	CHECK(simulation.outside_count() == 0);
-	CHECK(simulation.diagnostics().is_empty());
-}
-
 TEST_CASE("households that are added live from then on where their agendas want them") {
 	Commuter t;
 	Simulation &simulation = t.start();

@@ -4,10 +4,11 @@ extends RefCounted
 ## what a city was made of, and to make it again.
 
 const SceneContext := preload("res://addons/pcg/editor/scene_context.gd")
-const LOT_TYPE_PROPERTIES: Array[StringName] = [&"type", &"weight", &"rules", &"start_rule", &"attributes"]
 
 var _context: SceneContext
-var _made_of: Dictionary[int, Dictionary] = {} # instance id of a city to what it was last made of; empty: it is not there
+# Instance id of a city to how it was made: a description of the whole, then those of lots that were made anew, with their numbers as `lots`. Empty: it
+# is not there.
+var _made_of: Dictionary[int, Array] = {}
 
 
 func _init(context: SceneContext) -> void:
@@ -16,10 +17,10 @@ func _init(context: SceneContext) -> void:
 
 ## Generates `city`, with another seed if one is given.
 func generate(city: PCGCity, seed: int = city.seed) -> void:
-	var before: Dictionary = _made_before(city)
+	var before: Array = _made_before(city)
 	var seed_before: int = city.seed
 	city.seed = seed
-	var after: Dictionary = describe(city)
+	var after: Array = [describe(city)]
 	city.seed = seed_before
 	_commit("Generate the city", city, after, before, seed_before)
 
@@ -27,31 +28,42 @@ func generate(city: PCGCity, seed: int = city.seed) -> void:
 ## Generates some lots anew, by number, with what their types have now.
 func generate_lots(city: PCGCity, lots: Array[int]) -> void:
 	var undo: EditorUndoRedoManager = _context.get_undo()
+	var before: Array = _made_before(city)
+	var after: Array = before + [describe(city).merged({"lots": lots})]
 	undo.create_action("Generate %s" % ("a lot" if lots.size() == 1 else "%d lots" % lots.size()), UndoRedo.MERGE_DISABLE, city)
-	undo.add_do_method(self, &"make_lots", city, lots, describe(city))
-	undo.add_undo_method(self, &"make_lots", city, lots, _made_before(city))
+	undo.add_do_method(self, &"make_lots", city, lots, after)
+	undo.add_undo_method(self, &"make_lots", city, lots, before)
 	undo.commit_action()
 
 
-## Gives the lots' types what they were made of, and makes these lots.
-func make_lots(city: PCGCity, lots: Array[int], described: Dictionary) -> void:
-	_made_of[city.get_instance_id()] = described
-	_give_types(described)
-	for lot: int in lots:
-		city.regenerate_lot(lot)
+## Makes these lots as `steps` made them last.
+func make_lots(city: PCGCity, lots: Array[int], steps: Array) -> void:
+	_made_of[city.get_instance_id()] = steps
+	for step: int in steps.size():
+		_give_types(steps[step])
+		for lot: int in lots:
+			if _last_step(lot, steps) == step:
+				city.regenerate_lot(lot)
 	_context.changed.emit()
 
 
+static func _last_step(lot: int, steps: Array) -> int:
+	for step: int in range(steps.size() - 1, 0, -1):
+		if lot in steps[step]["lots"]:
+			return step
+	return 0
+
+
 func clear(city: PCGCity) -> void:
-	_commit("Clear the city", city, {}, _made_before(city), city.seed)
+	_commit("Clear the city", city, [], _made_before(city), city.seed)
 
 
 # A city that came with its scene was made of what it has.
-func _made_before(city: PCGCity) -> Dictionary:
-	return _made_of.get(city.get_instance_id(), describe(city) if city.is_generated() else {})
+func _made_before(city: PCGCity) -> Array:
+	return _made_of.get(city.get_instance_id(), [describe(city)] if city.is_generated() else [])
 
 
-func _commit(title: String, city: PCGCity, after: Dictionary, before: Dictionary, seed_before: int) -> void:
+func _commit(title: String, city: PCGCity, after: Array, before: Array, seed_before: int) -> void:
 	var undo: EditorUndoRedoManager = _context.get_undo()
 	undo.create_action(title, UndoRedo.MERGE_DISABLE, city)
 	undo.add_do_method(self, &"make", city, after)
@@ -66,10 +78,7 @@ static func describe(city: PCGCity) -> Dictionary:
 	var types: Array[Dictionary] = []
 	for type: PCGLotType in city.lot_types:
 		if type:
-			var values := {"self": type}
-			for property: StringName in LOT_TYPE_PROPERTIES:
-				values[property] = type.get(property)
-			types.append(values)
+			types.append({"self": type, "values": _stored_values(type)})
 	return {"seed": city.seed, "layout": city.layout, "lot_types": city.lot_types.duplicate(), "layout_values": _stored_values(city.layout), "types": types}
 
 
@@ -82,27 +91,43 @@ static func _stored_values(resource: Resource) -> Dictionary:
 	return values
 
 
-## Gives a city what it was made of, and makes it; an empty description clears it.
-func make(city: PCGCity, described: Dictionary) -> void:
-	_made_of[city.get_instance_id()] = described
+## Makes a city by these steps; none clear it.
+func make(city: PCGCity, steps: Array) -> void:
+	_made_of[city.get_instance_id()] = steps
 	_context.stop_life_in(city)
 	if city.is_generating():
 		city.cancel()
-	if described.is_empty():
+	if steps.is_empty():
 		city.clear()
 		_context.changed.emit()
 		return
+	var described: Dictionary = steps[0]
 	city.seed = described["seed"]
 	city.layout = described["layout"]
 	city.lot_types = described["lot_types"]
-	for property: String in described["layout_values"]:
-		city.layout.set(property, described["layout_values"][property])
+	_give_values(city.layout, described["layout_values"])
 	_give_types(described)
+	if not city.city_generated.is_connected(_make_later_steps):
+		city.city_generated.connect(_make_later_steps.bind(city))
 	city.generate()
 	_context.changed.emit()
 
 
+# A generated city is as its first step made it.
+func _make_later_steps(is_good: bool, city: PCGCity) -> void:
+	var steps: Array = _made_of[city.get_instance_id()]
+	var lots: Array[int] = []
+	for step: Dictionary in steps.slice(1):
+		lots.append_array(step["lots"].filter(func(lot: int) -> bool: return lot not in lots))
+	if is_good and not lots.is_empty():
+		make_lots(city, lots, steps)
+
+
 static func _give_types(described: Dictionary) -> void:
-	for values: Dictionary in described["types"]:
-		for property: StringName in LOT_TYPE_PROPERTIES:
-			(values["self"] as PCGLotType).set(property, values[property])
+	for type: Dictionary in described["types"]:
+		_give_values(type["self"], type["values"])
+
+
+static func _give_values(resource: Resource, values: Dictionary) -> void:
+	for property: String in values:
+		resource.set(property, values[property])

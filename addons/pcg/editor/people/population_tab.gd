@@ -3,10 +3,12 @@ extends VBoxContainer
 ## Makes the people of a city and lists them.
 
 const SceneContext := preload("res://addons/pcg/editor/scene_context.gd")
+const PeopleHistory := preload("res://addons/pcg/editor/people/people_history.gd")
 const PeopleFilter := preload("res://addons/pcg/editor/people/people_filter.gd")
 const LONGEST_LIST := 500 ## rows; who looks for one of ten thousand filters
 
 var context: SceneContext
+var history: PeopleHistory
 var _inspector := EditorInspector.new()
 var _shown_citizens: CitizenManager
 
@@ -17,6 +19,7 @@ var _shown_citizens: CitizenManager
 
 func open(of: SceneContext) -> void:
 	context = of
+	history = PeopleHistory.new(context)
 	context.changed.connect(refresh)
 	refresh()
 
@@ -64,8 +67,10 @@ func refresh() -> void:
 	(%Content as Control).visible = citizens != null
 	if is_instance_valid(_shown_citizens) and _shown_citizens != citizens:
 		_shown_citizens.population_generated.disconnect(_show_people)
+		_shown_citizens.agendas_renewed.disconnect(_show_people)
 	if citizens and citizens != _shown_citizens:
 		citizens.population_generated.connect(_show_people)
+		citizens.agendas_renewed.connect(_show_people)
 	_shown_citizens = citizens
 	_inspector.edit(citizens)
 	if citizens:
@@ -74,24 +79,16 @@ func refresh() -> void:
 		_show_people()
 
 
-func generate() -> bool:
-	return context.citizens.generate_population()
+func generate() -> void:
+	history.generate(context.citizens)
 
 
-## Gives people the agendas that their rules write now; who lives goes on at the same time of the same day.
+## Gives people the agendas that their rules write now; who lives goes on from where it is.
 func live_on(citizens: CitizenManager) -> void:
-	if citizens.city == null or not citizens.city.is_generated():
-		return
-	var is_running: bool = citizens.is_running()
-	var day: int = citizens.day
-	var time: float = citizens.time
-	if citizens.generate_population() and is_running:
-		citizens.start()
-		citizens.jump_to(day, time)
-
-
-func count_persons() -> int:
-	return context.citizens.get_statistics()["persons"] if context.citizens else 0
+	if citizens.has_person(0):
+		citizens.renew_agendas(true)
+	elif citizens.city and citizens.city.is_generated():
+		history.generate(citizens)
 
 
 func _show_people() -> void:
@@ -104,9 +101,7 @@ func _show_people() -> void:
 ## One person as the list and its filter see them.
 func describe(person: int) -> Dictionary:
 	var told: Dictionary = context.citizens.get_person(person)
-	var households: Array[Dictionary] = context.citizens.household_table.get_households() if context.citizens.household_table else ([] as Array[Dictionary])
-	var row: int = told["household_row"]
-	told["household_type"] = households[row]["descriptor"] if row in range(households.size()) else ""
+	told["household_type"] = context.get_household_type(told)
 	var visits: Dictionary[String, bool] = {}
 	for entry: Dictionary in context.citizens.get_agenda(person):
 		if entry["kind"] in ["stayInside", "goToBuilding"]:
@@ -120,9 +115,10 @@ func fill_list() -> void:
 	var root: TreeItem = _list.create_item()
 	var filter := PeopleFilter.new(_filter.text)
 	var left_out := 0
-	for person: int in count_persons():
+	var persons: int = context.count_persons()
+	for person: int in persons:
 		if root.get_child_count() >= LONGEST_LIST and _filter.text.is_empty():
-			left_out = count_persons() - LONGEST_LIST
+			left_out = persons - LONGEST_LIST
 			break
 		var told: Dictionary = describe(person)
 		if filter.fits(told):
@@ -154,7 +150,7 @@ func get_listed() -> Array[int]:
 func count_drawn() -> Dictionary[int, int]:
 	var drawn: Dictionary[int, int] = {}
 	var seen: Dictionary[int, bool] = {}
-	for person: int in count_persons():
+	for person: int in context.count_persons():
 		var told: Dictionary = context.citizens.get_person(person)
 		if not seen.has(told["household"]):
 			seen[told["household"]] = true
@@ -168,11 +164,11 @@ func _fill_shares() -> void:
 	if context.citizens.household_table == null:
 		return
 	var drawn: Dictionary[int, int] = count_drawn()
-	var total: float = maxf(1.0, context.citizens.get_statistics()["households"])
+	var total: int = context.citizens.get_statistics()["households"]
 	var rows: Array[Dictionary] = context.citizens.household_table.get_households()
 	for row: int in rows.size():
 		var item: TreeItem = _shares.create_item(root)
 		item.set_text(0, rows[row]["descriptor"])
 		item.set_tooltip_text(0, rows[row]["descriptor"])
 		item.set_text(1, "%.1f %%" % (100.0 * float(rows[row]["share"])))
-		item.set_text(2, "%.1f %%" % (100.0 * drawn.get(row, 0) / total) if count_persons() > 0 else "")
+		item.set_text(2, "%.1f %%" % (100.0 * drawn.get(row, 0) / total) if total > 0 else "")

@@ -5,12 +5,14 @@ extends RefCounted
 const DAY := 86400.0 ## seconds
 const LONGEST := 7.0 * DAY ## what is older is on no row of the week any more
 
-var spans: Array[Dictionary] = [] # `start`, `end` (seconds since the first Monday) and `kind`, "inside" or "outside"
+var spans: Array[Dictionary] = [] # `start`, `end` (seconds since the first Monday) and `kind`, "home", "inside" (elsewhere) or "outside"
 var _person := -1
 var _citizens: CitizenManager
 
 
 func follow(citizens: CitizenManager, person: int) -> void:
+	if citizens == _citizens and person == _person:
+		return
 	if is_instance_valid(_citizens) and _citizens != citizens:
 		_citizens.time_jumped.disconnect(_begin_anew)
 	if citizens and citizens != _citizens:
@@ -32,12 +34,15 @@ func present() -> float:
 
 
 func _kind() -> String:
-	return "inside" if _citizens.get_person(_person).get("state", "inside") == "inside" else "outside"
+	var told: Dictionary = _citizens.get_person(_person)
+	if told.get("state", "inside") != "inside":
+		return "outside"
+	return "home" if told.get("place", {}).get("id", -1) == told["home"] else "inside"
 
 
 ## Call as often as changes shall be seen.
 func note() -> void:
-	if _person < 0 or not is_instance_valid(_citizens) or not _citizens.is_running() or _person >= int(_citizens.get_statistics()["persons"]):
+	if not is_instance_valid(_citizens) or not _citizens.is_running() or not _citizens.has_person(_person):
 		return
 	var kind: String = _kind()
 	if spans.is_empty() or spans[-1]["kind"] != kind:

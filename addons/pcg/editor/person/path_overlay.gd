@@ -1,12 +1,10 @@
 @tool
-extends RefCounted
-## Draws a person's ways of one day over the city, coloured by the time of the day. The node is not part of the scene: it is never saved.
+extends "res://addons/pcg/editor/city_overlay.gd"
+## Draws a person's ways of one day over the city, coloured by the time of the day.
 
 const TaskColors := preload("res://addons/pcg/editor/person/task_colors.gd")
 const HEIGHT := 0.5 ## metres above the ground
 const WIDTH := 0.9 ## metres
-
-var _node: MeshInstance3D
 
 
 ## `ways`: dictionaries with `points` (of the world) and `hour`.
@@ -17,21 +15,10 @@ func show_ways(city: PCGCity, ways: Array[Dictionary]) -> void:
 		_add_ribbon(mesh, way["points"], TaskColors.of_hour(way["hour"]), city.global_transform.affine_inverse())
 	if mesh.get_surface_count() == 0:
 		return
-	_node = MeshInstance3D.new()
-	_node.mesh = mesh
-	_node.material_override = _make_material()
-	_node.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
-	city.add_child(_node, false, Node.INTERNAL_MODE_BACK)
-
-
-func hide() -> void:
-	if is_instance_valid(_node):
-		_node.queue_free()
-	_node = null
-
-
-func is_shown() -> bool:
-	return is_instance_valid(_node)
+	var node := MeshInstance3D.new()
+	node.mesh = mesh
+	node.material_override = _make_material()
+	lay(city, node)
 
 
 static func _add_ribbon(mesh: ImmediateMesh, points: PackedVector3Array, color: Color, to_city: Transform3D) -> void:

@@ -10,17 +10,16 @@ const WeekTimeline := preload("res://addons/pcg/editor/person/week_timeline.gd")
 const TaskColors := preload("res://addons/pcg/editor/person/task_colors.gd")
 const PathOverlay := preload("res://addons/pcg/editor/person/path_overlay.gd")
 const LifeRecorder := preload("res://addons/pcg/editor/person/life_recorder.gd")
-const ADULT_AGE := 18
 const AgendaHistory := preload("res://addons/pcg/editor/person/agenda_history.gd")
 const EntryDialog := preload("res://addons/pcg/editor/person/entry_dialog.gd")
-const PICK_DISTANCE := 24.0 ## pixels at 100 %
-const PERSON_MIDDLE := Vector3(0.0, 0.9, 0.0) ## metres above where somebody stands
+const ADULT_AGE := 18 ## of words: a boy, a man
 
 var context: SceneContext
 var overlay := PathOverlay.new()
 var recorder := LifeRecorder.new()
 var history: AgendaHistory
 var _entries: Array[Dictionary] = []
+var _day := 0 # that is shown
 
 @onready var _dialog: EntryDialog = %EntryDialog
 @onready var _list: Tree = %Entries
@@ -65,6 +64,8 @@ func _take_theme() -> void:
 	(%Pick as Button).icon = get_theme_icon("ToolSelect", "EditorIcons")
 	_list.set_column_custom_minimum_width(0, roundi(132.0 * EditorInterface.get_editor_scale()))
 	_week.custom_minimum_size = Vector2(180.0, 150.0) * EditorInterface.get_editor_scale()
+	for swatch: ColorRect in [%Hair, %Skin, %Clothes]:
+		swatch.custom_minimum_size = Vector2(28.0, 16.0) * EditorInterface.get_editor_scale()
 
 
 func _exit_tree() -> void:
@@ -73,27 +74,40 @@ func _exit_tree() -> void:
 
 func _process(_delta: float) -> void:
 	recorder.note()
-	if is_visible_in_tree() and _has_person():
+	if is_visible_in_tree() and context and context.has_person():
+		if context.citizens.day != _day:
+			_show_days()
 		_tell_present()
 
 
-func _has_person() -> bool:
-	return context != null and context.citizens != null and context.person >= 0 and context.person < int(context.citizens.get_statistics()["persons"])
-
-
 func refresh() -> void:
-	(%Empty as Control).visible = not _has_person()
-	(%Content as Control).visible = _has_person()
-	_household.visible = _has_person()
+	var has_person: bool = context.has_person()
+	(%Empty as Control).visible = not has_person
+	(%Content as Control).visible = has_person
+	_household.visible = has_person
 	overlay.hide()
 	_list.clear()
 	_entries = []
-	recorder.follow(context.citizens if _has_person() else null, context.person if _has_person() else -1)
-	if not _has_person():
-		return
-	_fill_household()
+	recorder.follow(context.citizens if has_person else null, context.person if has_person else -1)
+	if has_person:
+		_fill_household()
+		_show_looks()
+		_show_days()
+		_tell_present()
+
+
+# As they are seen: the engine lights colours that are linear.
+func _show_looks() -> void:
+	var looks: Dictionary = context.citizens.get_looks(context.person)
+	(%Hair as ColorRect).color = (looks["hair_color"] as Color).linear_to_srgb()
+	(%Skin as ColorRect).color = (looks["skin_color"] as Color).linear_to_srgb()
+	(%Clothes as ColorRect).color = (looks["clothes_color"] as Color).linear_to_srgb()
+
+
+# The week around the day that the clock shows, and that day's ways.
+func _show_days() -> void:
+	_day = context.citizens.day
 	_fill_entries()
-	_tell_present()
 	show_ways()
 
 
@@ -104,7 +118,7 @@ func _fill_household() -> void:
 	var member: int = context.person
 	while member > 0 and context.citizens.get_person(member - 1)["household"] == household:
 		member -= 1
-	while member < int(context.citizens.get_statistics()["persons"]) and context.citizens.get_person(member)["household"] == household:
+	while context.citizens.has_person(member) and context.citizens.get_person(member)["household"] == household:
 		var told: Dictionary = context.citizens.get_person(member)
 		_household.add_item("%s, %d" % [told["name"], told["age"]], member)
 		if member == context.person:
@@ -112,8 +126,24 @@ func _fill_household() -> void:
 		member += 1
 
 
+# Of the clock's week, day by day, because some entries hold on one day only. What is the same on several days is one entry.
+func _collect_entries() -> Array[Dictionary]:
+	var days: Dictionary[Dictionary, PackedStringArray] = {} # entry without its days to those on which it holds
+	for weekday: int in 7:
+		for entry: Dictionary in context.citizens.get_agenda(context.person, _day - posmod(_day, 7) + weekday):
+			entry.erase("days")
+			days[entry] = days.get(entry, PackedStringArray()) + PackedStringArray([WeekTimeline.DAYS[weekday]])
+	var collected: Array[Dictionary] = []
+	for entry: Dictionary in days:
+		collected.append(entry.merged({"days": days[entry]}))
+	collected.sort_custom(func(one: Dictionary, other: Dictionary) -> bool: return one["start"] < other["start"])
+	return collected
+
+
 func _fill_entries() -> void:
-	_entries = context.citizens.get_agenda(context.person)
+	_list.clear()
+	_entries = _collect_entries()
+	var home: int = context.citizens.get_person(context.person)["home"]
 	var root: TreeItem = _list.create_item()
 	for index: int in _entries.size():
 		var entry: Dictionary = _entries[index]
@@ -122,12 +152,12 @@ func _fill_entries() -> void:
 		var item: TreeItem = _list.create_item(root)
 		item.set_text(0, get_time_text(entry))
 		item.set_text(1, "%s %s%s" % [TaskColors.TITLES.get(entry["kind"], entry["kind"]), get_target_text(entry), _some_days_text(entry)])
-		item.set_custom_color(0, TaskColors.of(entry["kind"]))
+		item.set_custom_color(0, TaskColors.of_entry(entry, home))
 		item.set_text(2, "%s:%d" % [entry.get("rule", ""), entry.get("line", 0)])
 		for column: int in 3:
 			item.set_tooltip_text(column, "%s\nDouble-click to open the rule." % entry["told"])
 		item.set_metadata(0, index)
-	_week.show_week(_entries)
+	_week.show_week(_entries, home)
 
 
 func get_target_text(entry: Dictionary) -> String:
@@ -191,9 +221,9 @@ func _tell_present() -> void:
 	if place.get("kind", "") == "building":
 		present += " %s %s" % ["to" if told["state"] == "walking" else "in", "home" if place["id"] == told["home"] else context.get_building_text(place["id"])]
 	elif not str(place.get("kind", "")).is_empty():
-		present += " %s %s %d" % ["to" if told["state"] == "walking" else "at", place["kind"], place["id"]]
+		present += " %s %s %d" % ["to" if told["state"] == "walking" else "at", place["type"] if not str(place["type"]).is_empty() else place["kind"], place["id"]]
 	(%Told as Label).text = "%s, a %s of %d, household %d in %s\n%s, walks %.2f m/s\nNow: %s" % [told["name"], _word_for(told), told["age"],
-			told["household"], context.get_building_text(told["home"]), _household_type(told), told["walking_speed"], present]
+			told["household"], context.get_building_text(told["home"]), context.get_household_type(told), told["walking_speed"], present]
 	_week.show_lived(recorder.spans, context.citizens.day * WeekTimeline.DAY + context.citizens.time if context.citizens.is_running() else -1.0)
 
 
@@ -203,19 +233,12 @@ static func _word_for(told: Dictionary) -> String:
 	return told["gender"]
 
 
-func _household_type(told: Dictionary) -> String:
-	var rows: Array[Dictionary] = context.citizens.household_table.get_households() if context.citizens.household_table else ([] as Array[Dictionary])
-	var row: int = told["household_row"]
-	return rows[row]["descriptor"] if row >= 0 and row < rows.size() else ""
-
-
 ## The ways between the buildings of the day that the clock shows: dictionaries with `points` and `hour`.
 func find_ways() -> Array[Dictionary]:
 	var ways: Array[Dictionary] = []
-	var today: String = WeekTimeline.DAYS[posmod(context.citizens.day, 7)]
 	var here: int = context.citizens.get_person(context.person)["home"]
-	for entry: Dictionary in _entries:
-		if today not in entry["days"] or entry["kind"] not in ["stayInside", "goToBuilding"] or entry["target"] == here:
+	for entry: Dictionary in context.citizens.get_agenda(context.person, context.citizens.day):
+		if entry["kind"] not in ["stayInside", "goToBuilding"] or entry["target"] == here:
 			continue
 		var from: Dictionary = context.get_building(here)
 		var to: Dictionary = context.get_building(entry["target"])
@@ -227,7 +250,7 @@ func find_ways() -> Array[Dictionary]:
 
 func show_ways() -> void:
 	overlay.hide()
-	if (%Ways as CheckBox).button_pressed and _has_person() and context.city and context.city.is_generated():
+	if (%Ways as CheckBox).button_pressed and context.has_person() and context.city and context.city.is_generated():
 		overlay.show_ways(context.city, find_ways())
 
 
@@ -235,19 +258,11 @@ func is_picking() -> bool:
 	return (%Pick as Button).button_pressed
 
 
-## Chooses whoever stands nearest to that point of the 3D viewport. False if nobody is near.
+## Chooses whoever is seen at that point of the 3D viewport. False if nobody is.
 func pick(camera: Camera3D, at: Vector2) -> bool:
-	if context.citizens == null:
-		return false
-	var nearest := -1
-	var distance: float = PICK_DISTANCE * EditorInterface.get_editor_scale()
-	for person: int in context.citizens.get_persons_outside():
-		var middle: Vector3 = (context.citizens.get_person(person)["position"] as Vector3) + PERSON_MIDDLE
-		var away: float = camera.unproject_position(middle).distance_to(at)
-		if not camera.is_position_behind(middle) and away < distance:
-			nearest = person
-			distance = away
-	if nearest >= 0:
+	var view: PCGAgentView = context.citizens.get_agent_view() if context.citizens else null
+	var picked: int = view.pick_person(camera.project_ray_origin(at), camera.project_ray_normal(at)) if view else -1
+	if picked >= 0:
 		(%Pick as Button).button_pressed = false
-		context.choose_person(nearest)
-	return nearest >= 0
+		context.choose_person(picked)
+	return picked >= 0

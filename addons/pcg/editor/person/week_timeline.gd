@@ -11,13 +11,15 @@ const DAY := 86400.0 ## seconds
 const LIVED_PART := 0.3 ## of a row's height
 
 var entries: Array[Dictionary] = [] # as CitizenManager.get_agenda() tells them
+var home := -1 # where the person lives
 var lived: Array[Dictionary] = [] # `start`, `end` (seconds since the first Monday), `kind`
 var now := -1.0 # seconds since the first Monday
 var selected := -1
 
 
-func show_week(agenda: Array[Dictionary]) -> void:
+func show_week(agenda: Array[Dictionary], lives_in: int) -> void:
 	entries = agenda
+	home = lives_in
 	selected = -1
 	queue_redraw()
 
@@ -76,7 +78,7 @@ func _draw() -> void:
 	_draw_axis(color)
 	for index: int in entries.size():
 		for rect: Rect2 in get_entry_rects(entries[index]):
-			draw_rect(rect, TaskColors.of(entries[index]["kind"]))
+			draw_rect(rect, TaskColors.of_entry(entries[index], home))
 			draw_rect(rect, get_theme_color("accent_color", "Editor") if index == selected else Color(color, 0.25), false, 2.0 if index == selected else 1.0)
 	for span: Dictionary in lived:
 		var rects: Array[Rect2] = []

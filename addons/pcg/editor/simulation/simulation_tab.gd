@@ -5,14 +5,15 @@ extends ScrollContainer
 const SceneContext := preload("res://addons/pcg/editor/scene_context.gd")
 const DaySurvey := preload("res://addons/pcg/editor/simulation/day_survey.gd")
 const DayPlot := preload("res://addons/pcg/editor/simulation/day_plot.gd")
-const HeatOverlay := preload("res://addons/pcg/editor/simulation/heat_overlay.gd")
+const CityOverlay := preload("res://addons/pcg/editor/city_overlay.gd")
+const HeatPlane := preload("res://addons/pcg/heat_plane.gd")
 const DAYS: PackedStringArray = ["Monday", "Tuesday", "Wednesday", "Thursday", "Friday", "Saturday", "Sunday"]
 const SPEEDS: Array[float] = [1.0, 10.0, 60.0, 300.0, 1800.0]
 const SECONDS_PER_HOUR := 3600.0
 
 var context: SceneContext
 var survey := DaySurvey.new()
-var overlay := HeatOverlay.new()
+var overlay := CityOverlay.new()
 
 @onready var _hour: HSlider = %Hour
 @onready var _day: OptionButton = %Day
@@ -35,7 +36,7 @@ func _ready() -> void:
 	for hour: int in 24:
 		(%HeatHour as OptionButton).add_item("%d h - %d h" % [hour, hour + 1])
 	(%HeatAge as OptionButton).add_item("everybody")
-	for group: String in DaySurvey.AGE_GROUPS:
+	for group: String in CitizenManager.get_age_groups():
 		(%HeatAge as OptionButton).add_item(group)
 	(%Play as Button).pressed.connect(play_or_pause)
 	(%Stop as Button).pressed.connect(func() -> void: context.citizens.stop())
@@ -75,12 +76,14 @@ func _exit_tree() -> void:
 
 func _process(_delta: float) -> void:
 	survey.go_on()
+	if overlay.is_shown() and not _has_heat():
+		overlay.hide()
 	if is_visible_in_tree() and context:
 		_show_state()
 
 
 func has_people() -> bool:
-	return context.citizens != null and context.citizens.get_statistics()["persons"] > 0
+	return context.citizens != null and context.citizens.has_person(0)
 
 
 func _show_state() -> void:
@@ -97,7 +100,8 @@ func _show_state() -> void:
 	(%Play as Button).icon = get_theme_icon("Pause" if is_living else "Play", "EditorIcons")
 	(%Stop as Button).disabled = not citizens.is_running()
 	(%Survey as Button).disabled = survey.is_running
-	(%Heat as CheckBox).disabled = survey.cells.is_empty()
+	(%Heat as CheckBox).disabled = not _has_heat()
+	(%Heat as CheckBox).button_pressed = (%Heat as CheckBox).button_pressed and _has_heat()
 	_day.select(posmod(citizens.day, 7))
 	_speed.select(SPEEDS.find(citizens.time_scale))
 	_plot.show_hour(citizens.time / SECONDS_PER_HOUR)
@@ -132,8 +136,14 @@ func _on_survey_ended() -> void:
 	show_heat()
 
 
+func _has_heat() -> bool:
+	return context.citizens != null and context.citizens.has_recorded_lives() and not survey.is_running
+
+
 func show_heat() -> void:
 	overlay.hide()
-	if (%Heat as CheckBox).button_pressed and context.city:
-		var cells: Dictionary[Vector2i, int] = survey.sum_cells((%HeatHour as OptionButton).selected - 1, (%HeatAge as OptionButton).selected - 1)
-		overlay.show_cells(context.city, cells, DaySurvey.CELL)
+	if (%Heat as CheckBox).button_pressed and _has_heat():
+		var age: OptionButton = %HeatAge
+		var plane := HeatPlane.new()
+		overlay.lay(context.citizens.city, plane)
+		plane.show_heat(context.citizens, age.get_item_text(age.selected) if age.selected > 0 else "", (%HeatHour as OptionButton).selected - 1)
