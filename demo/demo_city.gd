@@ -18,9 +18,10 @@ static func make_city(lots: int, seed: int) -> PCGCity:
 
 ## Those of the showcase's city, which stand in its scene for all to edit.
 static func make_lot_types() -> Array[PCGLotType]:
+	var types: Array[PCGLotType] = []
 	var scene: SceneState = (load(SHOWCASE) as PackedScene).get_state()
 	for node: int in scene.get_node_count():
 		for property: int in scene.get_node_property_count(node):
 			if scene.get_node_property_name(node, property) == &"lot_types":
-				return scene.get_node_property_value(node, property)
-	return []
+				types.assign(scene.get_node_property_value(node, property))
+	return types

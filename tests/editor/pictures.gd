@@ -33,6 +33,7 @@ func _take_rules() -> void:
 	await _wait(6)
 	_save("rules")
 	edit.undo()
+	edit.call("check")
 	edit.tag_saved_version()
 
 
@@ -69,12 +70,13 @@ func _take_people() -> void:
 	(authoring.dock.population_tab.get_node("%Pages") as TabContainer).current_tab = 1
 	await _wait(3)
 	_save("shares")
-	authoring.context.citizens.jump_to(0, 8.0 * 3600.0)
+	authoring.context.citizens.jump_to(0, 7.95 * 3600.0)
 	dock.show_page(2)
 	authoring.dock.simulation_tab.start_survey()
 	await authoring.dock.simulation_tab.survey.ended
 	(authoring.dock.simulation_tab.get_node("%Heat") as CheckBox).button_pressed = true
-	await _look_at(_find_crowd(), 24.0)
+	authoring.context.citizens.paused = true
+	await _look_at(_find_crowd(), 12.0)
 	await _wait(4)
 	_save("simulation")
 	(authoring.dock.simulation_tab.get_node("%Heat") as CheckBox).button_pressed = false
@@ -142,4 +144,6 @@ func _save(picture: String) -> void:
 	# An editor in which nothing moves draws no frames, so one cannot wait for one.
 	for frame: int in 2:
 		RenderingServer.force_draw()
-	get_tree().root.get_texture().get_image().save_png(folder.path_join(picture + ".png"))
+	var image: Image = get_tree().root.get_texture().get_image()
+	image.convert(Image.FORMAT_RGB8)
+	image.save_png(folder.path_join(picture + ".png"))

@@ -195,8 +195,9 @@ func test_attributes_are_controls_by_their_annotations() -> void:
 	var type := PCGLotType.new()
 	type.rules = load("res://rules/cga/house.cga")
 	var attributes := RuleAttributes.new(type)
-	for drawn: StringName in [&"roofType", &"wallColor", &"hasDormers"]: # by the rules, for each house
-		attributes.tick(drawn, true)
+	attributes.set("roofType", "hip") # the rules draw it, and these, for each house
+	attributes.set("wallColor", "#ff0000")
+	attributes.set("hasDormers", "true")
 	var by_name: Dictionary = {}
 	for property: Dictionary in attributes.get_property_list():
 		by_name[property["name"]] = property
@@ -206,10 +207,9 @@ func test_attributes_are_controls_by_their_annotations() -> void:
 	check_equal(by_name["hasDormers"]["type"], TYPE_BOOL, "a truth value")
 	check_equal(by_name["Colours"]["usage"], PROPERTY_USAGE_GROUP, "a group")
 	check(not by_name.has("plinthColor"), "names without attr are the rules' own")
-	attributes.set("wallColor", Color("#ff0000"))
-	check_equal(type.attributes["wallColor"], "#ff0000", "as the rules want it")
-	attributes.tick("wallColor", false)
-	check(not type.attributes.has("wallColor"), "unticking leaves it to the rules")
+	check_equal(type.attributes, {"roofType": "hip", "wallColor": "#ff0000", "hasDormers": true}, "as the rules want it")
+	attributes.set("wallColor", Color("#00ff00"))
+	check_equal(type.attributes["wallColor"], "#00ff00", "also by a colour")
 
 
 func test_attributes_that_are_left_to_the_rules_show_what_those_say() -> void:
@@ -232,23 +232,29 @@ Lot --> extrude(high) X.
 	check_equal(attributes.get("roof"), "hip", "a choice")
 	check_equal(attributes.get("wall"), Color("#336699"), "a colour")
 	check_equal([attributes.get("drawn"), attributes.get("isTall")], ["rand(2, 4)", "high == 3"], "what differs from lot to lot stands as it is written")
-	attributes.tick("high", true)
-	attributes.tick("drawn", true)
-	check_equal(type.attributes, {"high": 2.8, "drawn": 1.0}, "ticking begins with the rules' own value, else with the least")
-	check_equal(attributes.get("drawn"), 1.0, "which is shown then")
+	for name: String in ["high", "roof", "wall", "drawn", "isTall"]:
+		check(not attributes.property_can_revert(name), "nothing to revert of %s" % name)
+	attributes.set("high", 3.0)
+	attributes.set("drawn", "2.5")
+	attributes.set("isTall", "perhaps")
+	check_equal(type.attributes, {"high": 3.0, "drawn": 2.5}, "what is a value is set")
+	check_equal([attributes.get("drawn"), attributes.get("isTall")], [2.5, "high == 3"], "and shown")
+	for name: String in ["high", "drawn"]:
+		check(attributes.property_can_revert(name), "%s can be reverted" % name)
+		attributes.set(name, attributes.property_get_revert(name))
+	check_equal(type.attributes, {}, "to what the rules say")
 
 
-func test_ticking_an_attribute_can_be_undone() -> void:
+func test_setting_an_attribute_can_be_undone() -> void:
 	var city: PCGCity = await _add_small_city()
 	city.lot_types[0].rules = load("res://rules/cga/house.cga")
 	_tab.show_attributes(city.lot_types[0])
 	await frames(2)
-	for control: EditorProperty in _tab.get_node("%Attributes").find_children("*", "EditorProperty", true, false):
-		if control.get_edited_property() == &"floorHeight":
-			control.property_checked.emit("floorHeight", true)
-			break
-	check_equal(city.lot_types[0].attributes, {"floorHeight": 2.8}, "ticked")
-	await undo(city)
+	var controls: Array = _tab.get_node("%Attributes").find_children("*", "EditorProperty", true, false)
+	var control: EditorProperty = controls.filter(func(other: EditorProperty) -> bool: return other.get_edited_property() == &"houseWidth")[0]
+	control.emit_changed(&"houseWidth", "11")
+	check_equal(city.lot_types[0].attributes, {"houseWidth": 11.0}, "in place of what the rules draw")
+	await undo(_tab.get_attributes())
 	check_equal(city.lot_types[0].attributes, {}, "undone")
 
 

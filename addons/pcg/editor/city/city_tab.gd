@@ -41,7 +41,6 @@ func _ready() -> void:
 	_types.item_activated.connect(_on_type_activated)
 	_add_inspector(%Layout, _layout_inspector)
 	_add_inspector(%Attributes, _attribute_inspector)
-	_attribute_inspector.property_toggled.connect(_on_attribute_ticked)
 	_types.set_column_expand(1, false)
 	for column: int in 3:
 		_types.set_column_title(column, ["Lots", "Weight", "Rules"][column])
@@ -196,18 +195,10 @@ func show_attributes(type: PCGLotType) -> void:
 	_attributes = RuleAttributes.new(type)
 	_attribute_inspector.visible = not _attributes.is_empty()
 	var told: Label = %AttributesText
-	told.text = "What is ticked is set here; the rest is left to the rules." if not _attributes.is_empty() else "These rules have no attributes."
+	told.text = "What has an arrow is set here; the rest shows what the rules say." if not _attributes.is_empty() else "These rules have no attributes."
 	if type == null:
 		told.text = "Choose a type of lot to see the attributes of its rules."
 	_attribute_inspector.edit(null if _attributes.is_empty() else _attributes)
-
-
-func _on_attribute_ticked(name: String, is_ticked: bool) -> void:
-	var undo: EditorUndoRedoManager = context.get_undo()
-	undo.create_action("%s %s" % ["Set" if is_ticked else "Leave to the rules:", name], UndoRedo.MERGE_DISABLE, context.city)
-	undo.add_do_method(_attributes, &"tick", StringName(name), is_ticked)
-	undo.add_undo_method(_attributes, &"give", _attributes.lot_type.attributes.duplicate())
-	undo.commit_action()
 
 
 func get_attributes() -> RuleAttributes:

@@ -1,7 +1,8 @@
 @tool
 extends RefCounted
 ## The attributes of a lot type's rules as properties, so that the engine's inspector shows them: annotations become ranges, lists, colours and
-## groups. A property that is not ticked is left to the rules, and shows what they say.
+## groups. Each shows what the rules say until it is set here, and can be reverted to that. What they draw or compute for each lot is no value but a text,
+## as it is written; a value that is put in its place sets the attribute.
 
 var lot_type: PCGLotType
 var _entries: Dictionary[StringName, Dictionary] = {} # name to { property, default }
@@ -34,7 +35,7 @@ func _read(attributes: Array[Dictionary]) -> void:
 static func to_property(attribute: Dictionary) -> Dictionary:
 	var annotations: Dictionary = attribute["annotations"]
 	var property := {"name": attribute["name"], "type": _type_of(attribute), "hint": PROPERTY_HINT_NONE, "hint_string": "",
-			"usage": PROPERTY_USAGE_EDITOR | PROPERTY_USAGE_CHECKABLE}
+			"usage": PROPERTY_USAGE_EDITOR}
 	var range_arguments: Array = annotations.get("Range", annotations.get("Enum", []))
 	if annotations.has("Color"):
 		property["type"] = TYPE_COLOR
@@ -102,13 +103,13 @@ func _get_property_list() -> Array[Dictionary]:
 	return list
 
 
-# What the rules draw or compute for each lot has no value to show: it stands there as it is written, until it is ticked.
 func _shown_property(name: StringName) -> Dictionary:
 	var property: Dictionary = _entries[name]["property"].duplicate()
-	if lot_type.attributes.has(String(name)):
-		property["usage"] |= PROPERTY_USAGE_CHECKED
-	elif _plain_default(name) == null:
-		property.merge({"type": TYPE_STRING, "hint": PROPERTY_HINT_NONE, "hint_string": "", "usage": property["usage"] | PROPERTY_USAGE_READ_ONLY}, true)
+	if _get(name) is String and property["type"] != TYPE_STRING:
+		var suggestions: String = "true,false" if property["type"] == TYPE_BOOL else ""
+		property.merge({"type": TYPE_STRING, "hint": PROPERTY_HINT_ENUM_SUGGESTION if not suggestions.is_empty() else PROPERTY_HINT_NONE, "hint_string": suggestions}, true)
+	elif property["hint"] == PROPERTY_HINT_ENUM and not lot_type.attributes.has(String(name)) and _plain_default(name) == null:
+		property["hint"] = PROPERTY_HINT_ENUM_SUGGESTION
 	return property
 
 
@@ -125,52 +126,49 @@ func _set(name: StringName, value: Variant) -> bool:
 	if not _entries.has(name):
 		return false
 	var attributes: Dictionary = lot_type.attributes.duplicate()
-	var is_new: bool = not attributes.has(String(name))
-	attributes[String(name)] = "#" + (value as Color).to_html(false) if value is Color else value
-	give(attributes, is_new)
+	attributes.erase(String(name))
+	var written: Variant = _read_value(name, value)
+	if written != null and written != _read_value(name, _property_get_revert(name)):
+		attributes[String(name)] = written
+	lot_type.attributes = attributes
+	EditorInterface.mark_scene_as_unsaved()
+	notify_property_list_changed()
 	return true
 
 
-## Begins to set an attribute here, or leaves it to the rules again.
-func tick(name: StringName, is_ticked: bool) -> void:
-	var attributes: Dictionary = lot_type.attributes.duplicate()
-	attributes.erase(String(name))
-	if is_ticked:
-		attributes[String(name)] = _first_value(name)
-	give(attributes)
+func _property_can_revert(name: StringName) -> bool:
+	return _entries.has(name) and lot_type.attributes.has(String(name))
 
 
-func give(attributes: Dictionary, is_ticked_otherwise: bool = true) -> void:
-	lot_type.attributes = attributes
-	EditorInterface.mark_scene_as_unsaved()
-	if is_ticked_otherwise:
-		notify_property_list_changed()
+func _property_get_revert(name: StringName) -> Variant:
+	var default: Variant = _plain_default(name)
+	if default == null:
+		return _entries[name]["default"]
+	return Color(str(default)) if _entries[name]["property"]["type"] == TYPE_COLOR else default
 
 
-# The value that the rules give, where it is one for all lots; else null.
-func _plain_default(name: StringName) -> Variant:
-	var text: String = _entries[name]["default"]
+# As rules take it; null for a text that is no such value.
+func _read_value(name: StringName, value: Variant) -> Variant:
+	if value is Color:
+		return "#" + (value as Color).to_html(false)
+	return _read_text(name, value) if value is String else value
+
+
+func _read_text(name: StringName, text: String) -> Variant:
 	match _entries[name]["property"]["type"]:
 		TYPE_FLOAT:
 			return text.to_float() if text.is_valid_float() else null
 		TYPE_BOOL:
 			return text == "true" if text in ["true", "false"] else null
-	var inside: String = text.trim_prefix("\"").trim_suffix("\"")
-	var is_plain: bool = text == "\"%s\"" % inside and not inside.contains("\"")
-	return inside if is_plain and (_entries[name]["property"]["type"] != TYPE_COLOR or Color.html_is_valid(inside)) else null
-
-
-# Where the rules' own value is none for all lots, the least or the first that is allowed.
-func _first_value(name: StringName) -> Variant:
-	var property: Dictionary = _entries[name]["property"]
-	var default: Variant = _plain_default(name)
-	if default != null:
-		return default
-	match property["type"]:
-		TYPE_FLOAT:
-			return maxf(0.0, str(property["hint_string"]).get_slice(",", 0).to_float())
-		TYPE_BOOL:
-			return false
 		TYPE_COLOR:
-			return "#ffffff"
-	return str(property["hint_string"]).get_slice(",", 0) if property["hint"] == PROPERTY_HINT_ENUM else ""
+			return text if Color.html_is_valid(text) else null
+	return text
+
+
+# The value that the rules give, where it is one for all lots; else null.
+func _plain_default(name: StringName) -> Variant:
+	var text: String = _entries[name]["default"]
+	if _entries[name]["property"]["type"] not in [TYPE_STRING, TYPE_COLOR]:
+		return _read_text(name, text)
+	var inside: String = text.trim_prefix("\"").trim_suffix("\"")
+	return _read_text(name, inside) if text == "\"%s\"" % inside and not inside.contains("\"") else null

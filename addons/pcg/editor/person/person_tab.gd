@@ -62,7 +62,7 @@ func _notification(what: int) -> void:
 
 func _take_theme() -> void:
 	(%Pick as Button).icon = get_theme_icon("ToolSelect", "EditorIcons")
-	_list.set_column_custom_minimum_width(0, roundi(132.0 * EditorInterface.get_editor_scale()))
+	_list.set_column_custom_minimum_width(0, roundi(124.0 * EditorInterface.get_editor_scale()))
 	_week.custom_minimum_size = Vector2(180.0, 150.0) * EditorInterface.get_editor_scale()
 	for swatch: ColorRect in [%Hair, %Skin, %Clothes]:
 		swatch.custom_minimum_size = Vector2(28.0, 16.0) * EditorInterface.get_editor_scale()
@@ -152,7 +152,7 @@ func _fill_entries() -> void:
 		var item: TreeItem = _list.create_item(root)
 		item.set_text(0, get_time_text(entry))
 		item.set_text(1, "%s %s%s" % [TaskColors.TITLES.get(entry["kind"], entry["kind"]), get_target_text(entry), _some_days_text(entry)])
-		item.set_custom_color(0, TaskColors.of_entry(entry, home))
+		item.set_custom_color(0, TaskColors.of_entry(entry, home).lerp(get_theme_color("font_color", "Editor"), 0.5)) # to be read on light ground, too
 		item.set_text(2, "%s:%d" % [entry.get("rule", ""), entry.get("line", 0)])
 		for column: int in 3:
 			item.set_tooltip_text(column, "%s\nDouble-click to open the rule." % entry["told"])

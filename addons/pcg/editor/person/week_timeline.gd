@@ -87,7 +87,7 @@ func _draw() -> void:
 			draw_rect(rect, TaskColors.of(span["kind"]).darkened(0.15))
 	if now >= 0.0:
 		var present: Rect2 = _rect(posmod(floori(now / DAY), 7), fposmod(now, DAY), fposmod(now, DAY), 0.0, 1.0)
-		draw_line(present.position, Vector2(present.position.x, present.end.y), get_theme_color("error_color", "Editor"), 2.0)
+		draw_line(present.position, Vector2(present.position.x, present.end.y), get_theme_color("error_color", "Editor"), 2.0 * EditorInterface.get_editor_scale())
 
 
 func _draw_axis(color: Color) -> void:

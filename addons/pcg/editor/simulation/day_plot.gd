@@ -36,10 +36,10 @@ func _draw() -> void:
 	var title: String = "outdoors, at most %d" % greatest if not counts.is_empty() else "\"Survey the day\" plots who is outdoors"
 	draw_string(font, Vector2(2.0, font.get_ascent(font_size)), title, HORIZONTAL_ALIGNMENT_LEFT, size.x, font_size, Color(color, 0.7))
 	if counts.size() > 1:
-		draw_polyline(_curve(area, greatest), accent, 2.0, true)
+		draw_polyline(_curve(area, greatest), accent, 2.0 * EditorInterface.get_editor_scale(), true)
 	if hour >= 0.0:
 		var x: float = area.position.x + area.size.x * hour / 24.0
-		draw_line(Vector2(x, area.position.y), Vector2(x, area.end.y), get_theme_color("warning_color", "Editor"), 2.0)
+		draw_line(Vector2(x, area.position.y), Vector2(x, area.end.y), get_theme_color("warning_color", "Editor"), 2.0 * EditorInterface.get_editor_scale())
 
 
 func _curve(area: Rect2, greatest: int) -> PackedVector2Array:
