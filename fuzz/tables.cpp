@@ -12,8 +12,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
 		return 0;
 	}
 	const std::string text = fuzz::text_of(data + 1, size - 1);
+	Diagnostics diagnostics;
 	if (data[0] == 'h') {
-		const Result<HouseholdTable> table = parse_household_table(text, "table.csv");
+		const std::optional<HouseholdTable> table = parse_household_table(text, "table.csv", diagnostics);
 		Random random(size);
 		for (size_t i = 0; table && i < table->patterns.size() && i < 100; ++i) {
 			draw_members(table->patterns[i], random);
@@ -22,17 +23,16 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
 		FileIds buildings;
 		buildings.add(1);
 		buildings.add(7);
-		const Result<PopulationFile> people = parse_population(text, "people.csv", buildings);
+		const std::optional<PopulationFile> people = parse_population(text, "people.csv", &buildings, diagnostics);
 		if (people) {
-			population_to_csv(people->population, &buildings);
+			population_to_csv(people->population, { .buildings = &buildings });
 		}
 	} else {
-		Diagnostics diagnostics;
 		const std::optional<CityFile> city = parse_city_json(text, "city.json", diagnostics);
 		if (city) {
 			city_to_json(city->city);
 		}
-		to_text(diagnostics);
 	}
+	to_text(diagnostics);
 	return 0;
 }

@@ -1,4 +1,3 @@
-#include <array>
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -8,6 +7,7 @@
 #include "cli/people.h"
 #include "cli/progress.h"
 #include "core/agenda/agenda_generator.h"
+#include "core/base/day_names.h"
 #include "core/io/agenda_csv.h"
 #include "core/io/atomic_file.h"
 #include "core/io/city_json.h"
@@ -32,16 +32,6 @@ struct Request : PeopleRequest {
 	std::optional<int> weekday;
 };
 
-std::optional<int> weekday_of(const std::string &name) {
-	constexpr std::array<std::string_view, 7> names{ "mon", "tue", "wed", "thu", "fri", "sat", "sun" };
-	for (size_t i = 0; i < names.size(); ++i) {
-		if (name == names[i]) {
-			return int(i);
-		}
-	}
-	return std::nullopt;
-}
-
 Request read_request(Args &args) {
 	args.require_positional(1, 1, "a rule file");
 	Request request;
@@ -51,7 +41,7 @@ Request read_request(Args &args) {
 	request.out = args.text("--out");
 	request.threads = uint32_t(args.whole("--threads", 0, 0, 1024));
 	if (args.has("--day")) {
-		request.weekday = weekday_of(args.text("--day"));
+		request.weekday = weekday_named(args.text("--day"));
 		if (!request.weekday) {
 			args.problem("--day is one of mon tue wed thu fri sat sun");
 		}
@@ -68,7 +58,7 @@ int finish(const Diagnostics &diagnostics) {
 
 int write_people(const Request &request, const CityFile &city, const PopulationFile &people, Diagnostics &diagnostics) {
 	if (!request.people_out.empty()) {
-		write_file(request.people_out, population_to_csv(people.population, &city.building_ids), diagnostics);
+		write_file(request.people_out, population_to_csv(people.population, numbers_of(request, city, people)), diagnostics);
 	}
 	return finish(diagnostics);
 }
@@ -78,11 +68,11 @@ bool write_agendas(const Request &request, const Program &program, const CityFil
 	const StraightLinePaths paths(city.city);
 	AgendaOptions options;
 	options.seed = request.seed;
+	options.overrides = attributes_of(program, request.attributes);
 	options.work = long_work("agendas", request.threads);
-	const bool has_numbers = request.has_file_numbers();
-	const AgendaCsvIds ids{ has_numbers ? &people.household_ids : nullptr, has_numbers ? &people.person_ids : nullptr, &city.building_ids };
+	options.numbers = numbers_of(request, city, people);
 	const std::unique_ptr<AtomicFile> file = request.out.empty() ? nullptr : std::make_unique<AtomicFile>(request.out);
-	AgendaCsvWriter writer(people.population, program, ids, request.weekday,
+	AgendaCsvWriter writer(people.population, program, options.numbers, request.weekday,
 			[&file](std::string_view bytes) { file ? file->write(bytes) : void(std::fwrite(bytes.data(), 1, bytes.size(), stdout)); });
 	size_t entries = 0;
 	const auto take = [&](const AgendaSet &agendas, PersonId first) {
@@ -120,7 +110,7 @@ int generate(const Request &request) {
 int run(std::span<const std::string_view> raw) {
 	Args args(raw,
 			{ { "--city", "CITY.json" }, { "--households", "TABLE.csv" }, { "--persons", "N" }, { "--population", "PEOPLE.csv" },
-					{ "--save-population", "PEOPLE.csv" }, { "--seed", "N" }, { "--out", "AGENDAS.csv" }, { "--day", "DAY" }, { "--threads", "N" } });
+					{ "--save-population", "PEOPLE.csv" }, { "--seed", "N" }, { "--attr", "NAME=VALUE" }, { "--out", "AGENDAS.csv" }, { "--day", "DAY" }, { "--threads", "N" } });
 	const Request request = read_request(args);
 	if (!args.is_valid()) {
 		return args.report(agenda_command);
@@ -132,8 +122,10 @@ int run(std::span<const std::string_view> raw) {
 
 const Command agenda_command = { "agenda",
 	"pcg agenda RULES.pcg --city CITY.json (--households TABLE.csv --persons N | --population PEOPLE.csv)\n"
-	"           [--seed N] [--day mon|tue|wed|thu|fri|sat|sun] [--threads N] [--save-population PEOPLE.csv] [--out AGENDAS.csv]\n"
-	"  Writes everybody's agenda as a table, to standard output unless --out names a file. Distances are straight lines.",
+	"           [--seed N] [--attr NAME=VALUE].. [--day mon|tue|wed|thu|fri|sat|sun] [--threads N]\n"
+	"           [--save-population PEOPLE.csv] [--out AGENDAS.csv]\n"
+	"  Writes everybody's agenda as a table, to standard output unless --out names a file. Distances are straight lines.\n"
+	"  --attr sets an attribute of the rules, to a number, a time such as 8h30m, true, false or a text; it may be given several times.",
 	"write everybody's agenda by rules", run };
 
 } // namespace pcg::cli

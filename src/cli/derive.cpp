@@ -1,10 +1,9 @@
-#include <charconv>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <memory>
 
 #include "cli/args.h"
+#include "cli/attributes.h"
 #include "cli/derive_report.h"
 #include "cli/file_names.h"
 #include "cli/footprints.h"
@@ -26,33 +25,12 @@ namespace {
 struct Request {
 	std::string rules, footprint, out, report, start, style;
 	std::vector<std::string> asset_folders;
-	std::vector<std::pair<std::string, std::string>> attributes;
+	std::vector<AttributeText> attributes;
 	std::pair<double, double> lot;
 	uint64_t seed = 1;
 	int64_t repeat = 1;
 	uint32_t threads = 0;
 };
-
-bool parse_number(const std::string &text, double &number) {
-	const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-	return error == std::errc() && end == text.data() + text.size();
-}
-
-void read_attributes(Args &args, Request &request) {
-	for (const std::string &setting : args.all("--attr")) {
-		const size_t equals = setting.find('=');
-		if (equals == std::string::npos || equals == 0) {
-			args.problem("--attr wants NAME=VALUE, not " + setting);
-			continue;
-		}
-		const std::string value = setting.substr(equals + 1);
-		double number = 0.0;
-		if (parse_number(value, number) && !std::isfinite(number)) {
-			args.problem("--attr " + setting + ": rules cannot reckon with " + value);
-		}
-		request.attributes.emplace_back(setting.substr(0, equals), value);
-	}
-}
 
 Request read_request(Args &args) {
 	args.require_positional(1, 1, "a rule file");
@@ -71,7 +49,7 @@ Request read_request(Args &args) {
 	if (args.has("--shape") && args.has("--lot")) {
 		args.problem("give either --shape or --lot");
 	}
-	read_attributes(args, request);
+	request.attributes = read_attributes(args);
 	if (!request.out.empty() && !request.out.ends_with(".glb") && !request.out.ends_with(".obj")) {
 		args.problem("--out writes .glb or .obj files, not " + request.out);
 	}
@@ -79,20 +57,6 @@ Request read_request(Args &args) {
 	const NamedFile outputs[] = { { "--out", request.out }, { "--json", request.report } };
 	check_outputs(args, inputs, outputs);
 	return request;
-}
-
-// As the attribute's type asks for it; 5 may be a text.
-cga::InitialShape::AttributeValue attribute_value(const Program &program, const std::string &name, const std::string &text) {
-	const int index = program.find_attribute(name);
-	const ValueType type = index >= 0 ? program.attributes[size_t(index)].type : ValueType::Void;
-	double number = 0.0;
-	if (type != ValueType::Text && parse_number(text, number)) {
-		return number;
-	}
-	if (type != ValueType::Text && (text == "true" || text == "false")) {
-		return text == "true";
-	}
-	return text;
 }
 
 bool make_shapes(const Request &request, const Program &program, std::vector<cga::InitialShape> &shapes, Diagnostics &diagnostics) {
@@ -107,9 +71,7 @@ bool make_shapes(const Request &request, const Program &program, std::vector<cga
 	for (size_t i = 0; i < shapes.size(); ++i) {
 		shapes[i].seed = i == 0 ? request.seed : derive_seed(request.seed, i);
 		shapes[i].start_rule = request.start;
-		for (const auto &[name, value] : request.attributes) {
-			shapes[i].attributes.emplace_back(name, attribute_value(program, name, value));
-		}
+		shapes[i].attributes = attributes_of(program, request.attributes);
 	}
 	return true;
 }

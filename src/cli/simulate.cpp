@@ -99,6 +99,8 @@ bool load_world(const Request &request, World &world, Diagnostics &diagnostics) 
 	world.paths = std::make_unique<StraightLinePaths>(world.city->city);
 	AgendaOptions options;
 	options.seed = request.seed;
+	options.overrides = attributes_of(*world.program, request.attributes);
+	options.numbers = numbers_of(request, *world.city, world.people);
 	options.work = long_work("agendas", request.threads);
 	world.agendas = generate_agendas(
 			*world.program, world.city->city, *world.paths, world.people.population, options, diagnostics);
@@ -106,10 +108,7 @@ bool load_world(const Request &request, World &world, Diagnostics &diagnostics) 
 	return !was_cancelled() && (!world.agendas.tasks.empty() || !diagnostics.has_errors());
 }
 
-FileNumbers numbers_of(const Request &request, const World &world) {
-	return { &world.city->building_ids, &world.city->zone_ids, &world.city->object_ids,
-		request.has_file_numbers() ? &world.people.person_ids : nullptr };
-}
+FileNumbers numbers_of(const Request &request, const World &world) { return numbers_of(request, *world.city, world.people); }
 
 // Lives the days with everybody looked at now and then; gives the seconds that living took.
 double live(const Request &request, Simulation &simulation, InvariantChecker &checker) {
@@ -229,6 +228,8 @@ int simulate(const Request &request) {
 	AgentHost host;
 	SimulationSettings settings;
 	settings.seed = request.seed;
+	settings.overrides = attributes_of(*world.program, request.attributes);
+	settings.numbers = numbers_of(request, world);
 	settings.has_live_bodies = false;
 	Simulation simulation(world.city->city, *world.paths, world.people.population, world.agendas, world.program, settings, host);
 	Observers observers(request, world, simulation);
@@ -251,7 +252,7 @@ int simulate(const Request &request) {
 int run(std::span<const std::string_view> raw) {
 	Args args(raw,
 			{ { "--city", "CITY.json" }, { "--households", "TABLE.csv" }, { "--persons", "N" }, { "--population", "PEOPLE.csv" },
-					{ "--seed", "N" }, { "--days", "N" }, { "--jump", "H:M" }, { "--threads", "N" }, { "--trace", "FILE.csv" },
+					{ "--seed", "N" }, { "--attr", "NAME=VALUE" }, { "--days", "N" }, { "--jump", "H:M" }, { "--threads", "N" }, { "--trace", "FILE.csv" },
 					{ "--json", "FILE.json" }, { "--lived", "FILE.csv" }, { "--heat-map", "FILE.png" }, { "--story", "" } });
 	const Request request = read_request(args);
 	if (!args.is_valid()) {
@@ -264,8 +265,8 @@ int run(std::span<const std::string_view> raw) {
 
 const Command simulate_command = { "simulate",
 	"pcg simulate RULES.pcg --city CITY.json (--households TABLE.csv --persons N | --population PEOPLE.csv)\n"
-	"             [--seed N] [--days N] [--jump H:M] [--threads N] [--trace TRACE.csv] [--json SUMMARY.json]\n"
-	"             [--lived PERSONS.csv] [--heat-map MAP.png] [--story]\n"
+	"             [--seed N] [--attr NAME=VALUE].. [--days N] [--jump H:M] [--threads N] [--trace TRACE.csv]\n"
+	"             [--json SUMMARY.json] [--lived PERSONS.csv] [--heat-map MAP.png] [--story]\n"
 	"  Writes everybody's agenda and lives it from Monday 0h on, on straight lines; --jump starts with a time jump. The trace has a row\n"
 	"  for every event, and at the start and after a jump one for everybody; --lived has one for every stretch of every life; --story\n"
 	"  tells one household's first day. The summary goes to standard output unless --json names a file; late are those who went in more\n"

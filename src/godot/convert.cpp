@@ -86,23 +86,25 @@ TypedArray<Dictionary> to_godot(const Diagnostics &diagnostics) {
 	return result;
 }
 
-std::vector<std::pair<std::string, cga::InitialShape::AttributeValue>> from_godot(const Dictionary &attributes) {
-	std::vector<std::pair<std::string, cga::InitialShape::AttributeValue>> result;
+std::vector<AttributeOverride> from_godot(const Dictionary &attributes, Diagnostics &diagnostics) {
+	std::vector<AttributeOverride> result;
 	const Array names = attributes.keys();
 	for (int64_t i = 0; i < names.size(); ++i) {
 		const String name = names[i];
 		const Variant value = attributes[names[i]];
 		switch (value.get_type()) {
-			case Variant::BOOL: result.emplace_back(from_godot(name), bool(value)); break;
+			case Variant::BOOL: result.push_back({ from_godot(name), bool(value) }); break;
 			case Variant::INT:
-			case Variant::FLOAT: result.emplace_back(from_godot(name), double(value)); break;
+			case Variant::FLOAT: result.push_back({ from_godot(name), double(value) }); break;
 			case Variant::STRING:
 			case Variant::STRING_NAME: {
 				const String text = value;
-				result.emplace_back(from_godot(name), from_godot(text));
+				result.push_back({ from_godot(name), from_godot(text) });
 				break;
 			}
-			default: ERR_PRINT("PCG: attribute \"" + name + "\" must be a number, true or false, or text."); break;
+			default:
+				diagnostics.warning("attribute-type", "attribute \"" + from_godot(name) + "\" must be a number, true or false, or text", "it is left out");
+				break;
 		}
 	}
 	return result;

@@ -58,8 +58,8 @@ std::vector<glm::vec3> from_godot(const godot::PackedVector3Array &points);
 godot::Dictionary to_godot(const Diagnostic &diagnostic);
 godot::TypedArray<godot::Dictionary> to_godot(const Diagnostics &diagnostics);
 
-// Attribute overrides by name: numbers, true or false, text. Other values are left out, with an error that names them.
-std::vector<std::pair<std::string, cga::InitialShape::AttributeValue>> from_godot(const godot::Dictionary &attributes);
+// Attribute overrides by name: numbers, true or false, text. Other values are left out, with a warning that names them.
+std::vector<AttributeOverride> from_godot(const godot::Dictionary &attributes, Diagnostics &diagnostics);
 
 // A frame that stands at `position` and whose local +z (the front of Godot's models) looks along the horizontal part of `facing`.
 godot::Transform3D to_godot(glm::vec3 position, glm::vec3 facing);

@@ -3,6 +3,7 @@
 #include <godot_cpp/core/class_db.hpp>
 
 #include "godot/convert.h"
+#include "godot/report.h"
 
 using namespace godot;
 
@@ -15,7 +16,8 @@ void PCGConvertProbe::_bind_methods() {
 
 static Dictionary attributes_and_back(const Dictionary &attributes) {
 	Dictionary result;
-	for (const auto &[name, value] : from_godot(attributes)) {
+	Diagnostics diagnostics;
+	for (const auto &[name, value] : from_godot(attributes, diagnostics)) {
 		const String key = to_godot(std::string_view(name));
 		if (const double *number = std::get_if<double>(&value)) {
 			result[key] = *number;
@@ -25,6 +27,7 @@ static Dictionary attributes_and_back(const Dictionary &attributes) {
 			result[key] = to_godot(std::string_view(std::get<std::string>(value)));
 		}
 	}
+	report(diagnostics);
 	return result;
 }
 

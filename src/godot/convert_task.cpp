@@ -8,6 +8,7 @@
 #include <godot_cpp/variant/packed_string_array.hpp>
 
 #include "core/agenda/agenda_edit.h"
+#include "core/base/day_names.h"
 #include "core/base/diagnostic.h"
 #include "godot/convert.h"
 
@@ -17,14 +18,13 @@ namespace pcg {
 
 namespace {
 
-constexpr std::string_view day_names[] = { "mon", "tue", "wed", "thu", "fri", "sat", "sun" };
 constexpr double week_seconds = 7.0 * 86400.0;
 
 PackedStringArray to_names(DayMask days) {
 	PackedStringArray result;
 	for (size_t day = 0; day < 7; ++day) {
 		if ((days >> day) & 1) {
-			result.push_back(to_godot(day_names[day]));
+			result.push_back(to_godot(short_day_name(day)));
 		}
 	}
 	return result;
@@ -180,11 +180,11 @@ bool TaskReader::read_days(const Dictionary &task) {
 	const PackedStringArray names = days;
 	_written.task.days = 0;
 	for (int64_t i = 0; i < names.size(); ++i) {
-		const auto found = std::find(std::begin(day_names), std::end(day_names), from_godot(names[i]));
-		if (found == std::end(day_names)) {
+		const std::optional<int> weekday = weekday_named(from_godot(names[i]));
+		if (!weekday) {
 			return fail("there is no day '" + names[i] + "'; they are mon tue wed thu fri sat sun");
 		}
-		_written.task.days |= DayMask(1u << (found - std::begin(day_names)));
+		_written.task.days |= DayMask(1u << *weekday);
 	}
 	return _written.task.days != 0 || fail("`days` names no day");
 }

@@ -42,6 +42,7 @@ void initialize_pcg(ModuleInitializationLevel p_level) {
 	GDREGISTER_CLASS(pcg::PCGRuleSet);
 	GDREGISTER_INTERNAL_CLASS(pcg::PCGRuleSetLoader);
 	GDREGISTER_INTERNAL_CLASS(pcg::PCGRuleSetSaver);
+	GDREGISTER_ABSTRACT_CLASS(pcg::PCGTextFile);
 	GDREGISTER_CLASS(pcg::PCGHouseholdTable);
 	GDREGISTER_CLASS(pcg::PCGPopulation);
 	GDREGISTER_CLASS(pcg::PCGDistrict);

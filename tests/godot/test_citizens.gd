@@ -3,6 +3,11 @@ extends "res://tests/godot/suite.gd"
 
 const CityForTests := preload("res://tests/godot/city_for_tests.gd")
 const HOUR := 3600.0
+const ERRANDS := """attr leaves = 8h
+const fixed = 1
+@StartRule
+Household --> members { true: goToBuilding(leaves, leaves + 1h, findBuilding("workplace")) }
+"""
 
 var _city: PCGCity
 var _citizens: CitizenManager
@@ -102,6 +107,14 @@ func _where_everybody_is() -> Array:
 		return [person["state"], person["place"]])
 
 
+func test_a_clock_shows_whole_minutes() -> void:
+	check_equal(CitizenManager.format_clock(28700.0), "07:58", "rounded down")
+	check_equal(CitizenManager.format_clock(25 * HOUR + 600.0), "25:10", "past midnight")
+	check_equal(_citizens.count_persons(), 0, "nobody yet")
+	_begin()
+	check_equal(_citizens.count_persons(), int(_citizens.get_statistics()["persons"]), "everybody")
+
+
 func test_a_new_day_is_told() -> void:
 	var days: Array[int] = []
 	_citizens.day_started.connect(func(day: int) -> void: days.append(day))
@@ -144,6 +157,66 @@ func test_what_is_missing_is_named_in_one_message() -> void:
 	check(not _citizens.generate_population(), "no households")
 	expect_message("Call generate_population() before start()")
 	check(not _citizens.start(), "nobody to start with")
+
+
+func _first_start(person: int = 0) -> float:
+	return _citizens.get_agenda(person)[0]["start"]
+
+
+func test_attributes_of_the_rules_are_set_kept_and_checked() -> void:
+	_citizens.rules = CityForTests.make_rules(ERRANDS, PCGRuleSet.DIALECT_AGENDA)
+	_citizens.attributes = {"leaves": 10 * HOUR}
+	_begin()
+	check_equal(_first_start(), 10 * HOUR, "as set")
+	var saved: PackedByteArray = _citizens.save_state()
+	_citizens.attributes = {}
+	check(_citizens.load_state(saved), "a life that was saved with it")
+	var people := PCGPopulation.new()
+	people.source = "household,person,home,age,gender,speed\n7,1,%d,35,w,1.3\n" % _roomiest_home()
+	check_equal(_first_start(_citizens.add_people(people)[0]), 10 * HOUR, "holds there, also for who comes later")
+	check(_citizens.generate_population(), "new agendas")
+	check_equal(_first_start(), 8 * HOUR, "take what is set now")
+	for wrong: Array in [["leavs", 1.0, "did you mean 'leaves'?"], ["fixed", 2.0, "'fixed' is const"], ["leaves", "soon", "'leaves' is a number in the rules, not text"]]:
+		_citizens.attributes = {wrong[0]: wrong[1]}
+		expect_message(wrong[2])
+		check(not _citizens.generate_population(), "refused: %s" % [wrong])
+		check("\n".join(_citizens._get_configuration_warnings()).contains(wrong[2]), "and told in the editor")
+
+
+# Who lives there leaves room for one more.
+func _roomiest_home() -> int:
+	var living := {}
+	for person: int in _citizens.get_statistics()["persons"]:
+		var home: int = _citizens.get_person(person)["home"]
+		living[home] = living.get(home, 0) + 1
+	var homes: Array = living.keys()
+	homes.sort_custom(func(a: int, b: int) -> bool: return living[a] < living[b])
+	return homes[0]
+
+
+func test_people_who_were_put_into_a_full_home_live_there_with_a_warning() -> void:
+	check(_citizens.generate_population(), "people by chance")
+	var home: int = _citizens.get_person(0)["home"]
+	var people := PCGPopulation.new()
+	people.source = "household,person,home,age,gender,speed,family_name\n" + "".join(range(9).map(func(i: int) -> String: return "1,%d,%d,30,w,1,Nagy\n" % [i, home]))
+	_citizens.population = people
+	expect_message("9 persons live in building %d, which takes 4" % home)
+	check(_citizens.generate_population(), "they live")
+	check_equal(_citizens.get_statistics()["persons"], 9, "all of them")
+	check(str(_citizens.get_person(8)["name"]).ends_with(" Nagy"), "under their name")
+
+
+func test_a_bad_population_is_told_before_anybody_uses_it() -> void:
+	var people := PCGPopulation.new()
+	people.source = "household,person,home,age,gender,speed\n1,1,0,x,w,1\n1,2,0,30,q,1\n"
+	check(people.has_errors(), "it has errors")
+	check_equal(people.get_diagnostics().map(func(told: Dictionary) -> int: return told["line"]), [2, 3], "one for each bad row")
+	_citizens.population = people
+	check("\n".join(_citizens._get_configuration_warnings()).contains("The population has errors"), "told in the editor")
+	expect_message("'x' is not a value for 'age'")
+	check(not _citizens.generate_population(), "nobody lives")
+	people.source = "household,person,home,age,gender,speed\n1,1,9999,40,w,1\n"
+	check(not people.has_errors(), "which homes there are the city knows")
 
 
 func test_a_city_without_homes_is_refused() -> void:

@@ -39,7 +39,7 @@ struct World {
 bool build(World &world, uint32_t persons, uint64_t seed, Diagnostics &diagnostics) {
 	soak::build_city(world.city, seed, persons / 5 + 30);
 	world.program = load_program(rules, pcg_dialect(), diagnostics);
-	const Result<HouseholdTable> table = read_household_table(households);
+	const std::optional<HouseholdTable> table = read_household_table(households, diagnostics);
 	if (!world.program || !table) {
 		return false;
 	}

@@ -63,7 +63,7 @@ class CommandLine(unittest.TestCase):
     def test_an_unknown_attribute_is_a_warning(self):
         told = self.pcg("derive", "house.cga", "--attr", "nothing=1")
         self.assertEqual(told.returncode, 0)
-        self.assertIn('there is no attribute "nothing"', told.stderr)
+        self.assertIn("'nothing' is no attribute of the rules", told.stderr)
 
     def test_groups_of_a_footprint_are_shapes_of_their_own(self):
         told = self.pcg("derive", "house.cga", "--shape", "two.obj", "--style", "Tall", "--attr", "sign=5", "--threads", "2", "--out", "m.obj", "--json", "r.json")
@@ -140,6 +140,54 @@ class CommandLine(unittest.TestCase):
         told = self.pcg(*self.write_town(), "100000000", "--out", "agendas.csv")
         self.assertEqual(told.returncode, 0, told.stderr)
         self.assertIn("100000000 persons, but the homes of the city take 40", told.stderr)
+
+    def test_a_city_without_homes_is_a_warning_and_a_table_of_nobody(self):
+        agenda = self.write_town()
+        (self.folder / "city.json").write_text(json.dumps({"buildings": [{"id": 7, "entrances": [{"type": "shop", "position": [0, 0, 0]}]}]}))
+        told = self.pcg(*agenda, "12", "--out", "agendas.csv")
+        self.assertEqual(told.returncode, 0, told.stderr)
+        self.assertIn("city.json: warning: 12 persons, but the homes of the city take 0", told.stderr)
+        self.assertEqual(len((self.folder / "agendas.csv").read_text().splitlines()), 1)
+
+    def write_family(self):
+        (self.folder / "city.json").write_text(json.dumps({"buildings": [
+            {"id": 10, "entrances": [{"type": "house", "position": [0, 0, 0], "capacity": 2}]},
+            {"id": 12, "entrances": [{"type": "house", "position": [9, 0, 0]}]},
+            {"id": 7, "entrances": [{"type": "school", "position": [90, 0, 0]}]}]}))
+        (self.folder / "people.csv").write_text("household,person,home,age,gender,speed,first_name,family_name\n50,100,10,40,w,1.2,,Nagy\n"
+                                                "50,101,10,12,m,1.1,,\n50,102,10,9,m,1.1,,\n77,205,12,70,w,1,,\n")
+        return ("day.pcg", "--city", "city.json", "--population", "people.csv")
+
+    def test_rules_and_messages_know_the_ids_of_the_files(self):
+        family = self.write_family()
+        (self.folder / "day.pcg").write_text(
+            "@StartRule\nHousehold -->\n\tcase household.id == 77: Lonely\n\telse: members { person.id == 101: goToBuilding(8h, 9h, 7) }\n"
+            "Lonely --> case home == 12: members { true: goToBuilding(8h, 9h, 2) stayInside(1 / (count() - 1), 1h, home) }\n")
+        told = self.pcg("agenda", *family, "--out", "agendas.csv", "--save-population", "again.csv", "--day", "mon")
+        self.assertEqual(told.returncode, 1, told.stderr)
+        self.assertIn("household 77: division by zero", told.stderr)
+        self.assertIn("household 77: 'goToBuilding' is given 2, which is no building of the city", told.stderr)
+        self.assertIn("people.csv: warning: 3 persons live in building 10, which takes 2", told.stderr)
+        rows = (self.folder / "agendas.csv").read_text().splitlines()[1:]
+        self.assertEqual(rows, ["50,101,12,m,mon,28800,32400,goToBuilding,7,"])
+        again = (self.folder / "again.csv").read_text().splitlines()
+        self.assertEqual(again[1].split(",")[:3] + again[1].split(",")[7:8], ["50", "100", "10", "Nagy"])
+
+    def test_attributes_are_set_for_agendas_and_for_the_rules_of_the_day(self):
+        family = self.write_family()
+        (self.folder / "day.pcg").write_text(
+            "attr start = 8h\nattr pause = 1h\nconst fixed = 1\n@StartRule\nHousehold --> members { age > 60: goToBuilding(start, start + 1h, 7) "
+            "delayedRule(12h, 20h, Stroll) }\nStroll --> wait(pause) goToBuilding(7)\n")
+        told = self.pcg("agenda", *family, "--attr", "start=10h30m", "--day", "mon")
+        self.assertIn(",37800,41400,goToBuilding,7,", told.stdout)
+        told = self.pcg("simulate", *family, "--attr", "pause=2h", "--trace", "trace.csv")
+        self.assertEqual(told.returncode, 0, told.stderr)
+        self.assertIn("50400.000,205,set-out,building:7", (self.folder / "trace.csv").read_text())
+        for setting, message in (("strat=9h", "did you mean 'start'?"), ("fixed=2", "'fixed' is const in the rules"), ("start=true", "'start' is a number in the rules, not true or false")):
+            for command in ("agenda", "simulate"):
+                told = self.pcg(command, *family, "--attr", setting)
+                self.assertEqual(told.returncode, 1)
+                self.assertIn(message, told.stderr)
 
     def test_interrupt_cancels_and_writes_nothing(self):
         agenda = self.write_town(capacity=1000000)

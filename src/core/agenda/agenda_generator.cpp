@@ -61,8 +61,8 @@ private:
 		AgendaBatch &batch = _batches[index];
 		agenda::GenerationContext context(_world);
 		Vm vm(_program, context, _options.limits);
-		for (const AttributeOverride &override_value : _options.overrides) {
-			vm.override_attribute(override_value.name, override_value.value);
+		for (const AttributeOverride &attribute : _options.overrides) {
+			override_attribute(vm, attribute);
 		}
 		const size_t first = _range.first + index * households_per_batch;
 		const size_t end = std::min(first + households_per_batch, _range.end);
@@ -160,17 +160,9 @@ RuleId find_start(const Program &program, const AgendaOptions &options, Diagnost
 // What a Vm would say of every household is said once.
 bool check_overrides(const Program &program, const AgendaOptions &options, Diagnostics &diagnostics) {
 	bool is_good = true;
-	for (const AttributeOverride &override_value : options.overrides) {
-		const int index = program.find_attribute(override_value.name);
-		if (index < 0 || program.attributes[size_t(index)].kind == AttributeInfo::Kind::Constant) {
-			std::vector<std::string_view> names;
-			for (const AttributeInfo &attribute : program.attributes) {
-				names.push_back(attribute.name);
-			}
-			const std::string_view closest = index < 0 ? closest_name(override_value.name, names) : std::string_view();
-			diagnostics.error("unknown-attribute",
-					"'" + override_value.name + (index < 0 ? "' is no attribute of the rules" : "' is const in the rules and cannot be set"),
-					closest.empty() ? std::string() : "did you mean '" + std::string(closest) + "'?");
+	for (const AttributeOverride &attribute : options.overrides) {
+		if (std::optional<Diagnostic> problem = attribute_problem(program, attribute)) {
+			diagnostics.add(std::move(*problem));
 			is_good = false;
 		}
 	}
@@ -196,11 +188,12 @@ bool generate_agendas_in_parts(const Program &program, const CityModel &city, co
 	if (!is_valid(start) || !check_overrides(program, options, diagnostics)) {
 		return false;
 	}
-	const agenda::World world = agenda::make_world(program, city, paths, population);
+	const agenda::World world = agenda::make_world(program, city, paths, population, options.numbers);
 	const HouseholdRange all = households_of(population, options);
 	RepeatedDiagnostics messages;
 	bool is_complete = true;
-	for (HouseholdRange part{ all.first, all.first }; part.end < all.end && is_complete;) {
+	HouseholdRange part{ all.first, all.first };
+	do { // once at least: of nobody there is a part, too
 		part = { part.end, std::min(part.end + households, all.end) };
 		Generation generation(program, world, population, options, start, part);
 		WorkOptions work = options.work;
@@ -213,7 +206,7 @@ bool generate_agendas_in_parts(const Program &program, const CityModel &city, co
 		if (is_complete) {
 			take(generation.collect(messages), PersonId(uint32_t(first_person(population, part.first))));
 		}
-	}
+	} while (is_complete && part.end < all.end);
 	if (!is_complete) {
 		diagnostics.warning("cancelled", "the generation of agendas was cancelled; some households have none");
 		return false;

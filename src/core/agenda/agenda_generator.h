@@ -7,8 +7,10 @@
 
 #include "core/agenda/agenda.h"
 #include "core/base/diagnostic.h"
+#include "core/base/file_ids.h"
 #include "core/base/ids.h"
 #include "core/base/parallel.h"
+#include "core/lang/attribute_override.h"
 #include "core/lang/program.h"
 #include "core/lang/vm.h"
 #include "core/population/population.h"
@@ -17,18 +19,13 @@
 
 namespace pcg {
 
-// A value for an `attr` or a plain name of the rule set, from the editor or the command line.
-struct AttributeOverride {
-	std::string name;
-	Value value; // texts have to live as long as the generation
-};
-
 struct AgendaOptions {
 	uint64_t seed = 1;
 	std::string start_rule; // empty: the one marked @StartRule
 	std::vector<AttributeOverride> overrides;
 	// Only this household and those behind it get agendas, and the set counts persons from its first member on: for who comes later.
 	HouseholdId first_household{ 0 };
+	FileNumbers numbers; // of the user's files: rules and messages use them
 	VmLimits limits{ .max_steps = 2'000'000 }; // per household
 	WorkOptions work;
 };

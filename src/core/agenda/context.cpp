@@ -1,7 +1,5 @@
 #include "core/agenda/context.h"
 
-#include <string>
-
 namespace pcg::agenda {
 
 namespace {
@@ -26,8 +24,9 @@ bool is_repeat(const Diagnostic &one, const Diagnostic &other) {
 	return one.file == other.file && one.line == other.line && one.column == other.column;
 }
 
-World make_world(const Program &program, const CityModel &city, const PathProvider &paths, const Population &population) {
-	World world{ &program, &city, &paths, &population, {} };
+World make_world(const Program &program, const CityModel &city, const PathProvider &paths, const Population &population,
+		const FileNumbers &numbers) {
+	World world{ &program, &city, &paths, &population, numbers, numbers.exact(), {} };
 	world.type_of_symbol.reserve(program.texts.size());
 	for (const Text &text : program.texts) {
 		world.type_of_symbol.push_back(city.types.find(text.view));

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
 #include "core/base/diagnostic.h"
+#include "core/base/file_ids.h"
 #include "core/base/ids.h"
 #include "core/lang/program.h"
 #include "core/lang/vm.h"
@@ -23,11 +25,13 @@ struct World {
 	const CityModel *city = nullptr;
 	const PathProvider *paths = nullptr;
 	const Population *population = nullptr;
+	FileNumbers numbers; // for messages
+	FileNumbers rule_numbers; // those of them that rules use
 	std::vector<TypeId> type_of_symbol; // by symbol of Program::texts: type names are looked up once, not once per household
 };
 
 // Asks for all type names of the program's texts; make it anew when types were added to the city.
-World make_world(const Program &program, const CityModel &city, const PathProvider &paths, const Population &population);
+World make_world(const Program &program, const CityModel &city, const PathProvider &paths, const Population &population, const FileNumbers &numbers);
 
 // What rules look for by the name of its type.
 enum class TypeUse : uint8_t { Building, Zone, Object };
@@ -56,6 +60,18 @@ public:
 	void set_focus(PersonId id) { _focus = id; }
 	size_t member_count() const { return household().member_count; }
 	PersonId member(size_t i) const { return PersonId(index_of(household().first_member) + uint32_t(i)); }
+
+	// Ids as rules know them: the numbers of the user's files, dense ids where there are none; -1 for nothing.
+	double number_of(BuildingId id) const { return to_number(_world->rule_numbers.buildings, id); }
+	double number_of(ObjectId id) const { return to_number(_world->rule_numbers.objects, id); }
+	double number_of(HouseholdId id) const { return to_number(_world->rule_numbers.households, id); }
+	double number_of(PersonId id) const { return to_number(_world->rule_numbers.persons, id); }
+	// Invalid if the city has none of that number.
+	BuildingId building_of(double number) const { return to_id<BuildingId>(_world->rule_numbers.buildings, number, city().buildings().size()); }
+	ObjectId object_of(double number) const { return to_id<ObjectId>(_world->rule_numbers.objects, number, city().objects().size()); }
+	// "person 12", "household 7": for messages, with the numbers of the user's files.
+	std::string name_of(PersonId id) const { return "person " + number_text(_world->numbers.persons, id); }
+	std::string name_of(HouseholdId id) const { return "household " + number_text(_world->numbers.households, id); }
 
 	// Operations of the other phase are disregarded (PCG language, sections 5 and 6).
 	virtual bool is_simulating() const = 0;

@@ -108,7 +108,7 @@ bool GenerationContext::insert_task(Vm &vm, PersonId member, const Task &task) {
 	if (agenda.tasks().size() <= max_entries) [[likely]] {
 		return true;
 	}
-	vm.fail("agenda-too-long", "the agenda of person " + std::to_string(index_of(member)) + " has more than " + std::to_string(max_entries) + " entries",
+	vm.fail("agenda-too-long", "the agenda of " + name_of(member) + " has more than " + std::to_string(max_entries) + " entries",
 			"does a rule call itself without end?");
 	return false;
 }
@@ -116,7 +116,7 @@ bool GenerationContext::insert_task(Vm &vm, PersonId member, const Task &task) {
 void GenerationContext::add_floating_task(Vm &vm, FloatingTask task) {
 	std::vector<FloatingTask> &tasks = _members[index_in_household(focus())].floating;
 	if (tasks.size() >= max_floating_tasks) {
-		vm.fail("pool-too-large", "person " + std::to_string(index_of(focus())) + " has more than " + std::to_string(max_floating_tasks) + " floating tasks",
+		vm.fail("pool-too-large", name_of(focus()) + " has more than " + std::to_string(max_floating_tasks) + " floating tasks",
 				"does a rule call itself without end?");
 		return;
 	}
@@ -163,7 +163,7 @@ void GenerationContext::report_dropped(const DroppedTask &dropped) {
 			: dropped.reason == Unmet::NotOver				  ? name + " is not over by then"
 															  : "nobody there has " + name;
 	report(diagnostic_at(*world().program, dropped.task.origin, Severity::Warning, "requirement-unmet",
-			"person " + std::to_string(index_of(dropped.person)) + " drops '" + std::string(task_kind_name(dropped.task.kind)) + "' at " +
+			name_of(dropped.person) + " drops '" + std::string(task_kind_name(dropped.task.kind)) + "' at " +
 					clock_text(dropped.task.start(), false) + " (" + days_text(dropped.task.days) + "): " + reason,
 			"what is written later wins: write the entry that is required last, or at another time"));
 }
@@ -198,7 +198,7 @@ void GenerationContext::report(Diagnostic diagnostic) {
 		return; // the run that asked for the day ends, and starts again for each day
 	}
 	if (diagnostic.id != missing_type_id) {
-		diagnostic.message = "household " + std::to_string(index_of(household_id())) + ": " + diagnostic.message;
+		diagnostic.message = name_of(household_id()) + ": " + diagnostic.message;
 	} else if (std::any_of(_diagnostics.begin(), _diagnostics.end(), [&](const Diagnostic &told) { return is_repeat(told, diagnostic); })) {
 		return;
 	}

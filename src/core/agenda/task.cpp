@@ -1,6 +1,6 @@
 #include "core/agenda/task.h"
 
-#include <array>
+#include "core/base/day_names.h"
 
 namespace pcg {
 
@@ -25,14 +25,13 @@ Task normalized(Task task) {
 }
 
 std::string days_text(DayMask days) {
-	constexpr std::array<std::string_view, 7> names{ "mon", "tue", "wed", "thu", "fri", "sat", "sun" };
 	if (days == all_days) {
 		return "every day";
 	}
 	std::string text;
-	for (size_t day = 0; day < names.size(); ++day) {
+	for (size_t day = 0; day < day_names.size(); ++day) {
 		if ((days >> day) & 1) {
-			text += (text.empty() ? "" : ", ") + std::string(names[day]);
+			text += (text.empty() ? "" : ", ") + std::string(short_day_name(day));
 		}
 	}
 	return text;

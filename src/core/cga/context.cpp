@@ -83,21 +83,13 @@ bool Context::set_up(const InitialShape &initial_shape) {
 
 void Context::set_overrides() {
 	vm.clear_overrides();
-	std::string text;
-	for (const auto &[name, value] : _initial_shape->attributes) {
-		Value override_value;
-		Text holder;
-		if (const double *number = std::get_if<double>(&value)) {
-			override_value = Value::of(*number);
-		} else if (const bool *boolean = std::get_if<bool>(&value)) {
-			override_value = Value::of(*boolean);
-		} else {
-			holder.view = std::get<std::string>(value);
-			override_value = Value::of(&holder);
+	for (const AttributeOverride &attribute : _initial_shape->attributes) {
+		if (override_attribute(vm, attribute)) {
+			continue;
 		}
-		if (!vm.override_attribute(name, override_value)) {
-			model.result().diagnostics.warning("unknown-attribute", "there is no attribute \"" + name + "\" to set",
-					"attributes are declared with attr; const ones cannot be set from outside");
+		if (std::optional<Diagnostic> problem = attribute_problem(_program, attribute)) {
+			problem->severity = Severity::Warning; // lots of one city take what they know
+			model.result().diagnostics.add(std::move(*problem));
 		}
 	}
 }

@@ -5,8 +5,6 @@
 #include <memory>
 #include <span>
 #include <string>
-#include <utility>
-#include <variant>
 #include <vector>
 
 #include <glm/mat3x3.hpp>
@@ -16,6 +14,7 @@
 
 #include "core/base/diagnostic.h"
 #include "core/geometry/mesh.h"
+#include "core/lang/attribute_override.h"
 
 // From a lot to a model: runs a rule set on an initial shape. Units: metres, y up, -z north; everything here is in world coordinates
 // unless it says otherwise.
@@ -36,14 +35,13 @@ struct InitialShape {
 		// Texture coordinates of set 0, one for each point of the outline and then of the holes; else empty. Streets bring u along and v across.
 		std::vector<glm::dvec2> uvs = {};
 	};
-	using AttributeValue = std::variant<double, bool, std::string>;
 
 	std::vector<Face> faces;
 	// Width in metres of the street at each edge of the first face's outline, 0 = none. Empty: not known.
 	std::vector<float> street_widths;
 	std::string name;
 	std::string start_rule; // empty: the rule set's own
-	std::vector<std::pair<std::string, AttributeValue>> attributes; // overrides
+	std::vector<AttributeOverride> attributes; // what the host sets
 	uint64_t seed = 0; // equal seed, equal model
 
 	// One polygon.

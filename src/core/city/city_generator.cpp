@@ -86,7 +86,7 @@ cga::InitialShape initial_shape(const Layout &layout, LotId id, const LotRules &
 	shape.start_rule = rules.start_rule;
 	shape.attributes = rules.attributes;
 	if (lot.height > 0.0f && rules.program && has_height(*rules.program)) {
-		shape.attributes.emplace_back("height", double(lot.height));
+		shape.attributes.push_back({ "height", double(lot.height) });
 	}
 	return shape;
 }

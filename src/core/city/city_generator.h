@@ -17,7 +17,7 @@ namespace pcg {
 struct LotRules {
 	std::shared_ptr<const Program> program;
 	std::string start_rule; // empty: the rule set's own
-	std::vector<std::pair<std::string, cga::InitialShape::AttributeValue>> attributes; // overrides
+	std::vector<AttributeOverride> attributes; // what the host sets
 };
 
 // By lot type. The entry under "" builds all types that have none of their own.

@@ -1,16 +1,15 @@
 #include "core/io/agenda_csv.h"
 
-#include <array>
 #include <cstdio>
 #include <utility>
 
+#include "core/base/day_names.h"
 #include "core/io/csv.h"
 
 namespace pcg {
 
 namespace {
 
-constexpr std::array<std::string_view, 7> day_names{ "mon", "tue", "wed", "thu", "fri", "sat", "sun" };
 constexpr size_t buffer_size = 1 << 20;
 
 // Seconds with as many digits behind the point as they need: 28800, 28712.5.
@@ -27,19 +26,12 @@ std::string seconds_text(int32_t ms) {
 	return seconds;
 }
 
-template <typename Id> std::string id_text(Id id, const FileIds *ids) {
-	if (!is_valid(id)) {
-		return "-1";
-	}
-	return std::to_string(ids != nullptr ? ids->number_of(index_of(id)) : int64_t(index_of(id)));
-}
-
 // One part.
 class Rows {
 public:
-	Rows(const AgendaSet &agendas, PersonId first, const Population &population, const Program &program, const AgendaCsvIds &ids,
+	Rows(const AgendaSet &agendas, PersonId first, const Population &population, const Program &program, const FileNumbers &numbers,
 			const std::function<void(std::string_view)> &sink) :
-			_agendas(agendas), _first(index_of(first)), _population(population), _program(program), _ids(ids), _sink(sink) {}
+			_agendas(agendas), _first(index_of(first)), _population(population), _program(program), _numbers(numbers), _sink(sink) {}
 
 	void write(std::optional<int> weekday) {
 		for (size_t i = 0; i < _agendas.person_count() && _first + i < _population.persons.size(); ++i) {
@@ -86,18 +78,18 @@ private:
 		const Person &person = _population.person(id);
 		char age[32];
 		std::snprintf(age, sizeof(age), "%g", double(person.age));
-		_text += id_text(person.household, _ids.households) + "," + id_text(id, _ids.persons) + "," + age;
+		_text += number_text(_numbers.households, person.household) + "," + number_text(_numbers.persons, id) + "," + age;
 		_text += person.gender == Gender::Woman ? ",w," : ",m,";
-		_text += std::string(day_names[size_t(day)]) + ",";
+		_text += std::string(short_day_name(size_t(day))) + ",";
 	}
 
 	std::string target_text(const Task &task) const {
 		switch (task.kind) {
 			case TaskKind::StayInside:
 			case TaskKind::GoToBuilding:
-				return id_text(BuildingId(task.target), _ids.buildings);
+				return number_text(_numbers.buildings, BuildingId(task.target));
 			case TaskKind::Accompany:
-				return id_text(_agendas.groups[task.target].goal, _ids.buildings);
+				return number_text(_numbers.buildings, _agendas.groups[task.target].goal);
 			case TaskKind::DelayedRule:
 			case TaskKind::FloatingSlot:
 				break;
@@ -113,9 +105,9 @@ private:
 			return {};
 		}
 		const Group &group = _agendas.groups[task.target];
-		std::string text = "leader " + id_text(group.leader, _ids.persons) + " joiners";
+		std::string text = "leader " + number_text(_numbers.persons, group.leader) + " joiners";
 		for (PersonId joiner : group.joiners) {
-			text += " " + id_text(joiner, _ids.persons);
+			text += " " + number_text(_numbers.persons, joiner);
 		}
 		return text;
 	}
@@ -126,29 +118,29 @@ private:
 	uint32_t _first;
 	const Population &_population;
 	const Program &_program;
-	const AgendaCsvIds &_ids;
+	const FileNumbers &_numbers;
 	const std::function<void(std::string_view)> &_sink;
 	std::string _text;
 };
 
 } // namespace
 
-AgendaCsvWriter::AgendaCsvWriter(const Population &population, const Program &program, const AgendaCsvIds &ids, std::optional<int> weekday,
+AgendaCsvWriter::AgendaCsvWriter(const Population &population, const Program &program, const FileNumbers &numbers, std::optional<int> weekday,
 		std::function<void(std::string_view)> sink) :
-		_population(population), _program(program), _ids(ids), _weekday(weekday), _sink(std::move(sink)) {}
+		_population(population), _program(program), _numbers(numbers), _weekday(weekday), _sink(std::move(sink)) {}
 
 void AgendaCsvWriter::write(const AgendaSet &agendas, PersonId first) {
 	if (!_has_begun) {
 		_has_begun = true;
 		_sink("household,person,age,gender,day,start,end,kind,target,detail\n");
 	}
-	Rows(agendas, first, _population, _program, _ids, _sink).write(_weekday);
+	Rows(agendas, first, _population, _program, _numbers, _sink).write(_weekday);
 }
 
-std::string agendas_to_csv(const AgendaSet &agendas, const Population &population, const Program &program, const AgendaCsvIds &ids,
+std::string agendas_to_csv(const AgendaSet &agendas, const Population &population, const Program &program, const FileNumbers &numbers,
 		std::optional<int> weekday) {
 	std::string text;
-	AgendaCsvWriter(population, program, ids, weekday, [&](std::string_view bytes) { text += bytes; }).write(agendas);
+	AgendaCsvWriter(population, program, numbers, weekday, [&](std::string_view bytes) { text += bytes; }).write(agendas);
 	return text;
 }
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "core/agenda/agenda.h"
-#include "core/io/city_json.h"
+#include "core/base/file_ids.h"
 #include "core/lang/program.h"
 #include "core/population/population.h"
 
@@ -16,18 +16,11 @@
 // group's leader and joiners, or the rule). A floating task has no start, and its duration as the end.
 namespace pcg {
 
-// Numbers for ids; null: dense ids.
-struct AgendaCsvIds {
-	const FileIds *households = nullptr;
-	const FileIds *persons = nullptr;
-	const FileIds *buildings = nullptr;
-};
-
 // Takes the agendas of a population part by part.
 class AgendaCsvWriter {
 public:
 	// `weekday` (0 Monday) for one day only. All that is referred to outlives the writer.
-	AgendaCsvWriter(const Population &population, const Program &program, const AgendaCsvIds &ids, std::optional<int> weekday,
+	AgendaCsvWriter(const Population &population, const Program &program, const FileNumbers &numbers, std::optional<int> weekday,
 			std::function<void(std::string_view)> sink);
 	// Of the persons from `first` on; parts follow each other. The first begins with the line of names.
 	void write(const AgendaSet &agendas, PersonId first = PersonId(0));
@@ -35,13 +28,13 @@ public:
 private:
 	const Population &_population;
 	const Program &_program;
-	AgendaCsvIds _ids;
+	FileNumbers _numbers;
 	std::optional<int> _weekday;
 	std::function<void(std::string_view)> _sink;
 	bool _has_begun = false;
 };
 
-std::string agendas_to_csv(const AgendaSet &agendas, const Population &population, const Program &program, const AgendaCsvIds &ids,
+std::string agendas_to_csv(const AgendaSet &agendas, const Population &population, const Program &program, const FileNumbers &numbers,
 		std::optional<int> weekday);
 
 } // namespace pcg

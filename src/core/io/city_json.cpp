@@ -231,16 +231,6 @@ nlohmann::ordered_json objects_to_json(const CityModel &city) {
 
 } // namespace
 
-bool FileIds::add(int64_t number) {
-	_numbers.push_back(number);
-	return _indices.emplace(number, uint32_t(_numbers.size() - 1)).second;
-}
-
-uint32_t FileIds::index_of(int64_t number) const {
-	const auto found = _indices.find(number);
-	return found == _indices.end() ? 0xFFFFFFFF : found->second;
-}
-
 std::optional<CityFile> parse_city_json(std::string_view text, const std::string &file, Diagnostics &diagnostics) {
 	const size_t errors_before = diagnostics.error_count();
 	const std::optional<nlohmann::json> document = parse_json(text, file, diagnostics);

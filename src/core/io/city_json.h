@@ -1,13 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "core/base/diagnostic.h"
+#include "core/base/file_ids.h"
 #include "core/semantics/city_model.h"
 
 // A city's meaning as a JSON file, without geometry:
@@ -16,22 +15,8 @@
 //    "objects":   [{"id": 1, "type": "bench", "position": [x, y, z], "places": 2}]}
 // Metres, y up, -z north. `facing`, `capacity`, `height` and the three lists may be missing. `places` is a count or a list of
 // {"position": [x, y, z], "facing": [x, y, z]}. Ids are whole numbers, each once in its list, any size up to 64 bits; they become dense in the
-// order of the file.
+// order of the file. Rules see the numbers of the file, unless a list has one below 0 or above 2^53: that list they count from 0.
 namespace pcg {
-
-// Ids as the file has them, by dense id, and back.
-class FileIds {
-public:
-	// False if the number is already taken.
-	bool add(int64_t number);
-	int64_t number_of(uint32_t index) const { return _numbers[index]; }
-	// 0xFFFFFFFF (the Invalid of every id type) if the file has no such number.
-	uint32_t index_of(int64_t number) const;
-
-private:
-	std::vector<int64_t> _numbers;
-	std::map<int64_t, uint32_t> _indices;
-};
 
 struct CityFile {
 	CityModel city;

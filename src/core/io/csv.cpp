@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "core/base/result.h"
 #include "core/io/atomic_file.h"
 
 namespace pcg {
@@ -152,6 +153,36 @@ private:
 	char _separator = ',';
 };
 
+bool has_unique_columns(const CsvTable &table, Diagnostics &diagnostics) {
+	for (size_t i = 0; i < table.header.fields.size(); ++i) {
+		const std::string &name = table.header.fields[i].text;
+		if (!name.empty() && table.find_column(column_key(name)) != int(i)) {
+			diagnostics.add(table.at(table.header, i, "duplicate-column", "there are two columns '" + name + "'", "remove one of them, or name it otherwise"));
+			return false;
+		}
+	}
+	return true;
+}
+
+// False: where a row ends cannot be told.
+bool read_rows(Scanner &scanner, CsvTable &table, Diagnostics &diagnostics) {
+	while (!scanner.is_at_end()) {
+		Result<CsvRow> row = scanner.read_row();
+		if (!row) {
+			diagnostics.add(row.diagnostic());
+			return false;
+		}
+		if (row->fields.size() == table.header.fields.size()) {
+			table.rows.push_back(std::move(*row));
+			continue;
+		}
+		diagnostics.add(table.at(*row, 0, "bad-row",
+				"this row has " + std::to_string(row->fields.size()) + " fields, the first line " + std::to_string(table.header.fields.size()),
+				"put texts that hold commas between quotes, and leave unused fields empty"));
+	}
+	return true;
+}
+
 } // namespace
 
 int CsvTable::find_column(std::string_view name) const {
@@ -171,52 +202,41 @@ Diagnostic CsvTable::at(const CsvRow &row, size_t field, std::string_view id, st
 	return diagnostic;
 }
 
-Result<CsvTable> parse_csv(std::string_view text, std::string_view file) {
+bool has_rows(const CsvTable &table, Diagnostics &diagnostics) {
+	if (table.rows.empty() && !diagnostics.has_errors()) { // or all of them were bad
+		diagnostics.add(file_problem(table.file, "no-rows", "the table has a header but no rows", "add a row for each record"));
+	}
+	return !table.rows.empty();
+}
+
+std::optional<CsvTable> parse_csv(std::string_view text, std::string_view file, Diagnostics &diagnostics) {
 	if (text.find('\0') != std::string_view::npos) {
-		return file_problem(file, "not-text", "this is not a text file", "save the table as CSV in UTF-8");
+		diagnostics.add(file_problem(file, "not-text", "this is not a text file", "save the table as CSV in UTF-8"));
+		return std::nullopt;
 	}
 	Scanner scanner(text, file);
 	if (scanner.is_at_end()) {
-		return file_problem(file, "empty-file", "the table is empty", "it needs a header and a row for each record");
+		diagnostics.add(file_problem(file, "empty-file", "the table is empty", "it needs a header and a row for each record"));
+		return std::nullopt;
 	}
 	CsvTable table;
 	table.file = std::string(file);
 	Result<CsvRow> header = scanner.read_row();
 	if (!header) {
-		return header.diagnostic();
+		diagnostics.add(header.diagnostic());
+		return std::nullopt;
 	}
 	table.header = std::move(*header);
-	for (size_t i = 0; i < table.header.fields.size(); ++i) {
-		const std::string &name = table.header.fields[i].text;
-		if (!name.empty() && table.find_column(column_key(name)) != int(i)) {
-			return table.at(table.header, i, "duplicate-column", "there are two columns '" + name + "'", "remove one of them, or name it otherwise");
-		}
-	}
-	while (!scanner.is_at_end()) {
-		Result<CsvRow> row = scanner.read_row();
-		if (!row) {
-			return row.diagnostic();
-		}
-		if (row->fields.size() != table.header.fields.size()) {
-			return table.at(*row, 0, "bad-row",
-					"this row has " + std::to_string(row->fields.size()) + " fields, the header " +
-							std::to_string(table.header.fields.size()),
-					"put texts that hold commas between quotes, and leave unused fields empty");
-		}
-		table.rows.push_back(std::move(*row));
-	}
-	if (table.rows.empty()) {
-		return file_problem(file, "no-rows", "the table has a header but no rows", "add a row for each record");
-	}
-	return table;
+	return has_unique_columns(table, diagnostics) && read_rows(scanner, table, diagnostics) ? std::optional(std::move(table)) : std::nullopt;
 }
 
-Result<CsvTable> read_csv(const std::string &path) {
+std::optional<CsvTable> read_csv(const std::string &path, Diagnostics &diagnostics) {
 	const Result<std::string> text = read_file(path, max_bytes);
 	if (!text) {
-		return text.diagnostic();
+		diagnostics.add(text.diagnostic());
+		return std::nullopt;
 	}
-	return parse_csv(*text, path);
+	return parse_csv(*text, path, diagnostics);
 }
 
 std::string csv_quoted(std::string_view text) {

@@ -1,11 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "core/base/result.h"
+#include "core/base/diagnostic.h"
 
 // Comma-separated tables (RFC 4180) with a header; semicolons and tabs are understood as well. Lines that begin with # are remarks.
 namespace pcg {
@@ -31,10 +32,15 @@ struct CsvTable {
 	Diagnostic at(const CsvRow &row, size_t field, std::string_view id, std::string message, std::string hint) const;
 };
 
-// One message if the text is empty, binary, without rows, or a row does not fit the header.
-Result<CsvTable> parse_csv(std::string_view text, std::string_view file);
+// Nothing, with one error, if the text is empty or binary, or its quotes are not in pairs. Rows that do not fit the header are errors too, and left
+// out: whoever reads the others can tell what is wrong with those at the same time. There may be none.
+std::optional<CsvTable> parse_csv(std::string_view text, std::string_view file, Diagnostics &diagnostics);
 // The same for a file; it may be missing, a folder or larger than 256 MB too.
-Result<CsvTable> read_csv(const std::string &path);
+std::optional<CsvTable> read_csv(const std::string &path, Diagnostics &diagnostics);
+// False if there are none: an error, unless errors tell it already.
+bool has_rows(const CsvTable &table, Diagnostics &diagnostics);
+
+constexpr size_t max_table_problems = 20; // that are told of one table; the rest is counted
 
 // The field with quotes where it needs them.
 std::string csv_quoted(std::string_view text);

@@ -5,8 +5,8 @@
 #include <charconv>
 #include <cmath>
 #include <initializer_list>
-#include <optional>
 
+#include "core/base/result.h"
 #include "core/io/csv.h"
 #include "core/population/household_words.h"
 
@@ -30,42 +30,67 @@ struct Amount {
 	bool is_open = false;
 };
 
-// Turns rows into patterns; the first problem ends it.
+// Turns rows into patterns; every row that cannot be is an error.
 class TableReader {
 public:
-	explicit TableReader(const CsvTable &csv) : _csv(csv) {}
+	explicit TableReader(CsvTable &csv) : _csv(csv) {}
 
-	Result<HouseholdTable> read() {
-		_descriptor = find_first_column(_csv, { "descriptor", "household", "household_type", "type", "composition" });
-		_count = find_first_column(_csv, { "count", "households", "number", "occurrences" });
-		if (_descriptor < 0 || _count < 0) {
-			return _csv.at(_csv.header, 0, "missing-column",
-					std::string("the header has no column '") + (_descriptor < 0 ? "descriptor" : "count") + "'",
-					"the first line has to name the columns: descriptor,count");
-		}
-		if (_csv.rows.size() > max_rows) {
-			return _csv.at(_csv.rows[max_rows], 0, "too-many-rows", "the table has more than 65535 kinds of households",
-					"join rows that describe the same household");
-		}
+	// Not to be used after an error.
+	HouseholdTable read(Diagnostics &diagnostics) {
 		HouseholdTable table;
 		table.file = _csv.file;
+		if (!find_columns(diagnostics) || !has_rows(_csv, diagnostics)) {
+			return table;
+		}
+		if (_csv.rows.size() > max_rows) {
+			diagnostics.add(_csv.at(_csv.rows[max_rows], 0, "too-many-rows", "the table has more than 65535 kinds of households",
+					"join rows that describe the same household"));
+			return table;
+		}
 		double total = 0.0;
 		for (const CsvRow &row : _csv.rows) {
 			Result<HouseholdPattern> pattern = read_row(row);
 			if (!pattern) {
-				return pattern.diagnostic();
+				diagnostics.add(pattern.diagnostic());
+				continue;
 			}
 			total += pattern->weight;
 			table.patterns.push_back(std::move(*pattern));
 		}
-		if (!(total > 0.0)) {
-			return _csv.at(_csv.rows.front(), size_t(_count), "no-households", "all counts are 0",
-					"at least one kind of household has to occur");
+		if (!(total > 0.0) && !diagnostics.has_errors()) {
+			diagnostics.add(_csv.at(_csv.rows.front(), size_t(_count), "no-households", "all counts are 0",
+					"at least one kind of household has to occur"));
 		}
 		return table;
 	}
 
 private:
+	bool find_columns(Diagnostics &diagnostics) {
+		_descriptor = find_first_column(_csv, { "descriptor", "household", "household_type", "type", "composition" });
+		_count = find_first_column(_csv, { "count", "households", "number", "occurrences" });
+		if (_descriptor >= 0 && _count >= 0) {
+			return true;
+		}
+		if (begins_with_a_row()) {
+			_csv.rows.insert(_csv.rows.begin(), _csv.header);
+			_descriptor = 0;
+			_count = 1;
+			return true;
+		}
+		diagnostics.add(_csv.at(_csv.header, 0, "missing-column",
+				std::string("the first line names no column '") + (_descriptor < 0 ? "descriptor" : "count") + "'",
+				"the first line has to name the columns: descriptor,count; it may be missing only where each row is a descriptor and a count"));
+		return false;
+	}
+
+	// A table without a header: descriptor and count.
+	bool begins_with_a_row() const {
+		const std::vector<CsvField> &fields = _csv.header.fields;
+		double value = 0.0;
+		return _descriptor < 0 && _count < 0 && fields.size() == 2 && !fields[0].text.empty() &&
+				std::from_chars(fields[1].text.data(), fields[1].text.data() + fields[1].text.size(), value).ec == std::errc();
+	}
+
 	Result<HouseholdPattern> read_row(const CsvRow &row) {
 		const std::string &descriptor = row.fields[size_t(_descriptor)].text;
 		if (descriptor.starts_with("..")) {
@@ -224,27 +249,31 @@ private:
 				"correct the columns adults, elders, minors, women, men, min_age, max_age, adult_from of this row");
 	}
 
-	const CsvTable &_csv;
+	CsvTable &_csv;
 	int _descriptor = -1;
 	int _count = -1;
 };
 
-} // namespace
-
-Result<HouseholdTable> parse_household_table(std::string_view text, std::string_view file) {
-	const Result<CsvTable> csv = parse_csv(text, file);
-	if (!csv) {
-		return csv.diagnostic();
+std::optional<HouseholdTable> read_table(std::optional<CsvTable> csv, Diagnostics &found, Diagnostics &diagnostics) {
+	std::optional<HouseholdTable> table;
+	if (csv) {
+		table = TableReader(*csv).read(found);
 	}
-	return TableReader(*csv).read();
+	found.sort();
+	diagnostics.append(found);
+	return found.has_errors() ? std::nullopt : std::move(table);
 }
 
-Result<HouseholdTable> read_household_table(const std::string &path) {
-	const Result<CsvTable> csv = read_csv(path);
-	if (!csv) {
-		return csv.diagnostic();
-	}
-	return TableReader(*csv).read();
+} // namespace
+
+std::optional<HouseholdTable> parse_household_table(std::string_view text, std::string_view file, Diagnostics &diagnostics) {
+	Diagnostics found(max_table_problems);
+	return read_table(parse_csv(text, file, found), found, diagnostics);
+}
+
+std::optional<HouseholdTable> read_household_table(const std::string &path, Diagnostics &diagnostics) {
+	Diagnostics found(max_table_problems);
+	return read_table(read_csv(path, found), found, diagnostics);
 }
 
 } // namespace pcg

@@ -1,9 +1,12 @@
 #include "core/io/population_csv.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <cstdio>
+#include <iterator>
+#include <span>
+#include <unordered_map>
 
 #include "core/base/diagnostic.h"
 #include "core/base/random.h"
@@ -22,52 +25,63 @@ constexpr std::array<std::string_view, 4> look_columns{ "first_name", "family_na
 enum LookColumn : size_t { FirstNameColumn, FamilyNameColumn, HairColumn, ClothesColumn };
 constexpr uint64_t looks_seed = hash_text("looks");
 
-std::string_view name_of(std::string_view name) { return name; }
-std::string_view name_of(const NamedColor &color) { return color.name; }
-
 struct Row {
 	const CsvRow *csv = nullptr;
-	int64_t person = 0;
-	BuildingId home = BuildingId::Invalid;
-	Person record;
+	int64_t number = 0;
+	int64_t home = 0;
+	Person person;
 };
 
+struct Members {
+	std::vector<Row> rows;
+	const CsvRow *first_left_out = nullptr;
+	size_t left_out = 0;
+};
+
+// Every bad cell is an error of its own.
 class PeopleReader {
 public:
-	PeopleReader(const CsvTable &csv, const FileIds &buildings) : _csv(csv), _buildings(buildings) {}
+	PeopleReader(const CsvTable &csv, const FileIds *buildings, Diagnostics &diagnostics) :
+			_csv(csv), _buildings(buildings), _diagnostics(diagnostics) {}
 
-	Result<PopulationFile> read() {
+	// Not to be used after an error.
+	PopulationFile read() {
+		if (!find_columns() || !has_rows(_csv, _diagnostics)) {
+			return {};
+		}
+		for (const CsvRow &csv : _csv.rows) {
+			read_row(csv);
+		}
+		for (size_t i = 0; i < _members.size(); ++i) {
+			add_household(_members[i], i);
+		}
+		return std::move(_result);
+	}
+
+private:
+	bool find_columns() {
 		for (size_t i = 0; i < columns.size(); ++i) {
 			const int column = _csv.find_column(columns[i]);
 			if (column < 0) {
-				return _csv.at(_csv.header, 0, "missing-column", "the header has no column '" + std::string(columns[i]) + "'",
-						"the first line has to name the columns: household,person,home,age,gender,speed");
+				_diagnostics.add(_csv.at(_csv.header, 0, "missing-column", "the first line names no column '" + std::string(columns[i]) + "'",
+						"the first line has to name the columns: household,person,home,age,gender,speed"));
+				return false;
 			}
 			_column[i] = size_t(column);
 		}
 		for (size_t i = 0; i < look_columns.size(); ++i) {
 			_look_column[i] = _csv.find_column(look_columns[i]);
 		}
-		for (const CsvRow &csv : _csv.rows) {
-			Row row;
-			row.csv = &csv;
-			if (!read_row(row)) {
-				return _problem;
-			}
-		}
-		return assemble();
+		return true;
 	}
 
-private:
-	const std::string &text(const Row &row, Column column) const { return row.csv->fields[_column[column]].text; }
-
-	bool fail(const Row &row, Column column, std::string_view id, std::string message, std::string hint) {
-		_problem = _csv.at(*row.csv, _column[column], id, std::move(message), std::move(hint));
+	bool fail(const CsvRow &row, Column column, std::string_view id, std::string message, std::string hint) {
+		_diagnostics.add(_csv.at(row, _column[column], id, std::move(message), std::move(hint)));
 		return false;
 	}
 
-	template <typename T> bool number(const Row &row, Column column, T low, T high, T &value) {
-		const std::string &field = text(row, column);
+	template <typename T> bool number(const CsvRow &row, Column column, T low, T high, T &value) {
+		const std::string &field = row.fields[_column[column]].text;
 		const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
 		if (error != std::errc() || end != field.data() + field.size() || !(value >= low && value <= high)) {
 			return fail(row, column, "not-a-number", "'" + field + "' is not a value for '" + std::string(columns[column]) + "'",
@@ -78,160 +92,209 @@ private:
 		return true;
 	}
 
-	bool read_row(Row &row) {
+	bool gender(const CsvRow &row, Gender &value) {
+		const std::string &field = row.fields[_column[GenderColumn]].text;
+		value = field == "w" ? Gender::Woman : Gender::Man;
+		return field == "w" || field == "m" ||
+				fail(row, GenderColumn, "bad-gender", "'" + field + "' is not a gender of this table", "write w (woman) or m (man)");
+	}
+
+	bool home(const CsvRow &row, int64_t &value) {
+		if (!number<int64_t>(row, HomeColumn, 0, INT64_MAX, value)) {
+			return false;
+		}
+		return _buildings == nullptr || is_valid(building(value)) ||
+				fail(row, HomeColumn, "unknown-building", "the city has no building " + std::to_string(value),
+						"write the id of a building of the city's file");
+	}
+
+	BuildingId building(int64_t number) const { return _buildings != nullptr ? BuildingId(_buildings->index_of(number)) : BuildingId::Invalid; }
+
+	void read_row(const CsvRow &csv) {
+		Row row;
+		row.csv = &csv;
 		int64_t household = 0;
-		int64_t home = 0;
-		constexpr int64_t largest = INT64_MAX;
-		if (!number<int64_t>(row, HouseholdColumn, 0, largest, household) || !number<int64_t>(row, PersonColumn, 0, largest, row.person) ||
-				!number<int64_t>(row, HomeColumn, 0, largest, home) || !number<float>(row, AgeColumn, 0.0f, 150.0f, row.record.age) ||
-				!number<float>(row, SpeedColumn, 0.01f, 20.0f, row.record.walking_speed)) {
-			return false;
+		const bool cells[] = { number<int64_t>(csv, HouseholdColumn, 0, INT64_MAX, household),
+			number<int64_t>(csv, PersonColumn, 0, INT64_MAX, row.number), home(csv, row.home),
+			number<float>(csv, AgeColumn, 0.0f, 150.0f, row.person.age), gender(csv, row.person.gender),
+			number<float>(csv, SpeedColumn, 0.01f, 20.0f, row.person.walking_speed) };
+		if (std::find(std::begin(cells), std::end(cells), false) == std::end(cells)) {
+			join_household(row, household);
 		}
-		const std::string &gender = text(row, GenderColumn);
-		if (gender != "w" && gender != "m") {
-			return fail(row, GenderColumn, "bad-gender", "'" + gender + "' is not a gender of this table", "write w (woman) or m (man)");
-		}
-		row.record.gender = gender == "w" ? Gender::Woman : Gender::Man;
-		row.home = BuildingId(_buildings.index_of(home));
-		if (!is_valid(row.home)) {
-			return fail(row, HomeColumn, "unknown-building", "the city has no building " + text(row, HomeColumn),
-					"write the id of a building of the city's file");
-		}
-		return join_household(row, household);
 	}
 
-	// The place in the list of what the table says; as it was where it says nothing.
-	template <typename List, typename Index> bool look(const CsvRow &row, LookColumn column, const List &list, Index &index) {
-		if (_look_column[column] < 0 || row.fields[size_t(_look_column[column])].text.empty()) {
-			return true;
-		}
-		const std::string &text = row.fields[size_t(_look_column[column])].text;
-		std::vector<std::string_view> known;
-		for (size_t i = 0; i < list.size(); ++i) {
-			known.push_back(name_of(list[i]));
-			if (known.back() == text) {
-				index = Index(i);
-				return true;
-			}
-		}
-		const std::string_view closest = closest_name(text, known);
-		_problem = _csv.at(row, size_t(_look_column[column]), "unknown-look", "there is no " + std::string(look_columns[column]) + " '" + text + "'",
-				closest.empty() ? "leave the column empty, or write " + std::string(known.front()) : "did you mean '" + std::string(closest) + "'?");
-		return false;
-	}
-
-	// Of the whole household: all members that tell it tell the same. `told` is what those before said.
-	template <typename List, typename Index>
-	bool shared_look(const CsvRow &row, LookColumn column, const List &list, Index &index, std::string &told) {
-		const std::string text = _look_column[column] < 0 ? std::string() : row.fields[size_t(_look_column[column])].text;
-		if (!text.empty() && !told.empty() && text != told) {
-			_problem = _csv.at(row, size_t(_look_column[column]), "two-looks",
-					"another member of the household has the " + std::string(look_columns[column]) + " '" + told + "'",
-					"write the same for all members, or leave it empty");
-			return false;
-		}
-		told = text.empty() ? told : text;
-		return look(row, column, list, index);
-	}
-
-	bool join_household(Row &row, int64_t number) {
+	void join_household(const Row &row, int64_t number) {
 		if (_result.household_ids.index_of(number) == index_of(HouseholdId::Invalid)) {
 			_result.household_ids.add(number);
 			_members.emplace_back();
 		}
-		std::vector<Row> &members = _members[_result.household_ids.index_of(number)];
-		if (!members.empty() && members.front().home != row.home) {
-			return fail(row, HomeColumn, "two-homes", "household " + std::to_string(number) + " has two homes",
+		Members &members = _members[_result.household_ids.index_of(number)];
+		if (!members.rows.empty() && members.rows.front().home != row.home) {
+			fail(*row.csv, HomeColumn, "two-homes", "household " + std::to_string(number) + " has two homes",
 					"all members of a household live in one building");
+		} else if (members.rows.size() < max_household_size) {
+			members.rows.push_back(row);
+		} else {
+			members.first_left_out = members.left_out == 0 ? row.csv : members.first_left_out;
+			++members.left_out;
 		}
-		if (members.size() >= UINT16_MAX) {
-			return fail(row, HouseholdColumn, "household-too-large", "household " + std::to_string(number) + " has more than 65535 members",
-					"split the household");
+	}
+
+	void add_household(const Members &members, size_t index) {
+		Population &population = _result.population;
+		Random looks(looks_seed, index);
+		Household household;
+		household.home = building(members.rows.front().home);
+		household.first_member = PersonId(uint32_t(population.persons.size()));
+		household.member_count = uint16_t(members.rows.size());
+		household.family_name = uint32_t(looks.index(family_names().size()));
+		household.hair_color = uint8_t(looks.index(hair_colors().size()));
+		std::string family, hair;
+		for (const Row &row : members.rows) {
+			if (is_shared(*row.csv, FamilyNameColumn, family)) {
+				read_name(*row.csv, FamilyNameColumn, family_names(), household.family_name);
+			}
+			if (is_shared(*row.csv, HairColumn, hair)) {
+				read_color(*row.csv, HairColumn, hair_colors(), household.hair_color);
+			}
+			add_person(row, HouseholdId(uint32_t(index)), looks);
 		}
-		members.push_back(row);
+		population.households.push_back(household);
+		if (members.left_out > 0) {
+			tell_left_out(members, index);
+		}
+	}
+
+	void add_person(const Row &row, HouseholdId household, Random &looks) {
+		if (!_result.person_ids.add(row.number)) {
+			fail(*row.csv, PersonColumn, "repeated-person", "person " + std::to_string(row.number) + " stands in the table twice",
+					"every person needs a number of its own");
+		}
+		Person person = row.person;
+		person.household = household;
+		person.name = uint32_t(looks.index(first_names(person.gender).size()));
+		person.clothes_color = uint8_t(looks.index(clothes_colors().size()));
+		read_name(*row.csv, FirstNameColumn, first_names(person.gender), person.name);
+		read_color(*row.csv, ClothesColumn, clothes_colors(), person.clothes_color);
+		_result.population.persons.push_back(person);
+	}
+
+	void tell_left_out(const Members &members, size_t index) {
+		Diagnostic diagnostic = _csv.at(*members.first_left_out, _column[HouseholdColumn], "household-too-large",
+				"household " + std::to_string(_result.household_ids.number_of(uint32_t(index))) + " has " +
+						std::to_string(members.rows.size() + members.left_out) + " members, more than " + std::to_string(max_household_size) +
+						": from here on " + std::to_string(members.left_out) + " are left out",
+				"split the household");
+		diagnostic.severity = Severity::Warning;
+		_diagnostics.add(std::move(diagnostic));
+	}
+
+	// Empty where the table tells nothing.
+	const std::string &look(const CsvRow &row, LookColumn column) const {
+		static const std::string nothing;
+		return _look_column[column] < 0 ? nothing : row.fields[size_t(_look_column[column])].text;
+	}
+
+	// Of the whole household: all members that tell it tell the same. `told` is what those before said. False if there is nothing new.
+	bool is_shared(const CsvRow &row, LookColumn column, std::string &told) {
+		const std::string &text = look(row, column);
+		if (text.empty() || text == told) {
+			return false;
+		}
+		if (!told.empty()) {
+			_diagnostics.add(_csv.at(row, size_t(_look_column[column]), "two-looks",
+					"another member of the household has the " + std::string(look_columns[column]) + " '" + told + "'",
+					"write the same for all members, or leave it empty"));
+			return false;
+		}
+		told = text;
 		return true;
 	}
 
-	Result<PopulationFile> assemble() {
-		Population &population = _result.population;
-		for (const std::vector<Row> &members : _members) {
-			Random looks(looks_seed, population.households.size());
-			Household household;
-			household.home = members.front().home;
-			household.first_member = PersonId(uint32_t(population.persons.size()));
-			household.member_count = uint16_t(members.size());
-			household.family_name = uint16_t(looks.index(family_names().size()));
-			household.hair_color = uint8_t(looks.index(hair_colors().size()));
-			std::string family, hair;
-			for (const Row &row : members) {
-				if (!shared_look(*row.csv, FamilyNameColumn, family_names(), household.family_name, family) ||
-						!shared_look(*row.csv, HairColumn, hair_colors(), household.hair_color, hair)) {
-					return _problem;
-				}
-				if (!_result.person_ids.add(row.person)) {
-					fail(row, PersonColumn, "repeated-person", "person " + std::to_string(row.person) + " stands in the table twice",
-							"every person needs a number of its own");
-					return _problem;
-				}
-				Person person = row.record;
-				person.household = HouseholdId(uint32_t(population.households.size()));
-				person.name = uint32_t(looks.index(first_names(person.gender).size()));
-				person.clothes_color = uint8_t(looks.index(clothes_colors().size()));
-				if (!look(*row.csv, FirstNameColumn, first_names(person.gender), person.name) ||
-						!look(*row.csv, ClothesColumn, clothes_colors(), person.clothes_color)) {
-					return _problem;
-				}
-				population.persons.push_back(person);
-			}
-			population.households.push_back(household);
+	// Names that are in no list are kept beside them.
+	void read_name(const CsvRow &row, LookColumn column, std::span<const std::string_view> list, uint32_t &index) {
+		const std::string &text = look(row, column);
+		if (text.empty()) {
+			return;
 		}
-		return std::move(_result);
+		const auto known = std::find(list.begin(), list.end(), text);
+		index = uint32_t(known - list.begin());
+		if (known == list.end()) {
+			std::vector<std::string> &names = _result.population.names;
+			const auto [own, is_new] = _own_names.try_emplace(text, uint32_t(names.size()));
+			index += own->second;
+			if (is_new) {
+				names.push_back(text);
+			}
+		}
+	}
+
+	// As it was where the table says nothing, or no color, which is told.
+	void read_color(const CsvRow &row, LookColumn column, std::span<const NamedColor> list, uint8_t &index) {
+		const std::string &text = look(row, column);
+		std::vector<std::string_view> known;
+		for (size_t i = 0; i < list.size() && !text.empty(); ++i) {
+			known.push_back(list[i].name);
+			if (list[i].name == text) {
+				index = uint8_t(i);
+				return;
+			}
+		}
+		if (text.empty()) {
+			return;
+		}
+		const std::string_view closest = closest_name(text, known);
+		Diagnostic diagnostic = _csv.at(row, size_t(_look_column[column]), "unknown-look",
+				"there is no " + std::string(look_columns[column]) + " '" + text + "', so another color is drawn",
+				closest.empty() ? "leave the column empty, or write " + std::string(known.front()) : "did you mean '" + std::string(closest) + "'?");
+		diagnostic.severity = Severity::Warning;
+		_diagnostics.add(std::move(diagnostic));
 	}
 
 	const CsvTable &_csv;
-	const FileIds &_buildings;
+	const FileIds *_buildings;
+	Diagnostics &_diagnostics;
 	std::array<size_t, columns.size()> _column{};
 	std::array<int, look_columns.size()> _look_column{}; // -1: not in the table
-	Diagnostic _problem;
 	PopulationFile _result;
-	std::vector<std::vector<Row>> _members; // by dense household
+	std::vector<Members> _members; // by dense household
+	std::unordered_map<std::string, uint32_t> _own_names; // where they are in Population::names
 };
+
+std::optional<PopulationFile> read_people(const std::optional<CsvTable> &csv, const FileIds *buildings, Diagnostics &found, Diagnostics &diagnostics) {
+	std::optional<PopulationFile> people;
+	if (csv) {
+		people = PeopleReader(*csv, buildings, found).read();
+	}
+	found.sort();
+	diagnostics.append(found);
+	return found.has_errors() ? std::nullopt : std::move(people);
+}
 
 } // namespace
 
-Result<PopulationFile> parse_population(std::string_view text, std::string_view file, const FileIds &building_ids) {
-	const Result<CsvTable> csv = parse_csv(text, file);
-	if (!csv) {
-		return csv.diagnostic();
-	}
-	return PeopleReader(*csv, building_ids).read();
+std::optional<PopulationFile> parse_population(std::string_view text, std::string_view file, const FileIds *building_ids, Diagnostics &diagnostics) {
+	Diagnostics found(max_table_problems);
+	return read_people(parse_csv(text, file, found), building_ids, found, diagnostics);
 }
 
-Result<PopulationFile> read_population(const std::string &path, const FileIds &building_ids) {
-	const Result<CsvTable> csv = read_csv(path);
-	if (!csv) {
-		return csv.diagnostic();
-	}
-	return PeopleReader(*csv, building_ids).read();
+std::optional<PopulationFile> read_population(const std::string &path, const FileIds *building_ids, Diagnostics &diagnostics) {
+	Diagnostics found(max_table_problems);
+	return read_people(read_csv(path, found), building_ids, found, diagnostics);
 }
 
-std::string population_to_csv(const Population &population, const FileIds *building_ids) {
+std::string population_to_csv(const Population &population, const FileNumbers &numbers) {
 	std::string text = "household,person,home,age,gender,speed,first_name,family_name,hair,clothes\n";
 	for (size_t i = 0; i < population.persons.size(); ++i) {
+		const PersonId id = PersonId(uint32_t(i));
 		const Person &person = population.persons[i];
 		const Household &household = population.household(person.household);
-		const uint32_t home = index_of(household.home);
-		const long long home_number = building_ids != nullptr ? (long long)(building_ids->number_of(home)) : (long long)(home);
-		char row[160];
-		std::snprintf(row, sizeof(row), "%u,%zu,%lld,%.9g,%c,%.9g", index_of(person.household), i, home_number, double(person.age),
-				person.gender == Gender::Woman ? 'w' : 'm', double(person.walking_speed));
-		text += row;
-		const auto add = [&text](const auto &list, size_t index) { text += "," + std::string(name_of(list[index % list.size()])); };
-		add(first_names(person.gender), person.name);
-		add(family_names(), household.family_name);
-		add(hair_colors(), household.hair_color);
-		add(clothes_colors(), person.clothes_color);
-		text += "\n";
+		char row[80];
+		std::snprintf(row, sizeof(row), ",%.9g,%c,%.9g,", double(person.age), person.gender == Gender::Woman ? 'w' : 'm', double(person.walking_speed));
+		text += number_text(numbers.households, person.household) + "," + number_text(numbers.persons, id) + "," +
+				number_text(numbers.buildings, household.home) + row;
+		text += csv_quoted(first_name(population, id)) + "," + csv_quoted(family_name(population, person.household)) + ",";
+		text += std::string(hair_colors()[household.hair_color].name) + "," + std::string(clothes_colors()[person.clothes_color].name) + "\n";
 	}
 	return text;
 }

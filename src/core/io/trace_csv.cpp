@@ -10,8 +10,23 @@ namespace pcg {
 
 namespace {
 
-std::string number_text(const FileIds *ids, uint32_t index) {
-	return std::to_string(ids ? ids->number_of(index) : int64_t(index));
+std::string person_text(const FileNumbers &numbers, PersonId id) { return is_valid(id) ? number_text(numbers.persons, id) : std::string(); }
+
+// "building:12", "zone:3", ..; empty for none.
+std::string place_text(const FileNumbers &numbers, Target place) {
+	switch (place.kind) {
+		case Target::Kind::None:
+			return "";
+		case Target::Kind::Building:
+			return is_valid(place.building()) ? "building:" + number_text(numbers.buildings, place.building()) : "";
+		case Target::Kind::Zone:
+			return "zone:" + number_text(numbers.zones, place.zone());
+		case Target::Kind::Object:
+			return "object:" + number_text(numbers.objects, place.object());
+		case Target::Kind::Person:
+			return "person:" + number_text(numbers.persons, PersonId(place.index));
+	}
+	return "";
 }
 
 std::string type_text(const CityModel &city, const Population &population, const LivedEntry &entry) {
@@ -76,35 +91,17 @@ std::string row_text(const CityModel &city, const Population &population, const 
 	const bool is_hole = row.planned_task == PlannedEntry::hole;
 	char figures[128];
 	std::snprintf(figures, sizeof figures, ",%.2f,%.2f,%.1f,", double(row.position.x), double(row.position.z), double(row.metres));
-	std::string text = numbers.text(row.person) + ',' + csv_quoted(full_name(population, row.person)) + ',' +
+	std::string text = person_text(numbers, row.person) + ',' + csv_quoted(full_name(population, row.person)) + ',' +
 			std::to_string(int(population.person(row.person).age)) + ',' + std::to_string(row.start.day()) + ',' +
 			clock_in_row(row, row.start) + ',' + clock_in_row(row, row.end) + ',' + std::to_string((row.end - row.start).ms / 1000) + ',';
-	text += std::string(state_name(row.state)) + ',' + numbers.text(row.place) + ',' + type_text(city, population, row) + ',' +
-			door_text(city, row) + figures + numbers.text(row.leader) + ',';
+	text += std::string(state_name(row.state)) + ',' + place_text(numbers, row.place) + ',' + type_text(city, population, row) + ',' +
+			door_text(city, row) + figures + person_text(numbers, row.leader) + ',';
 	text += is_hole ? "home,," : std::string(task_kind_name(row.planned_kind)) + ',' + clock_in_row(row, row.planned_start) + ',' +
 					clock_in_row(row, row.planned_end);
 	return text + '\n';
 }
 
 } // namespace
-
-std::string FileNumbers::text(PersonId id) const { return is_valid(id) ? number_text(persons, index_of(id)) : std::string(); }
-
-std::string FileNumbers::text(Target place) const {
-	switch (place.kind) {
-		case Target::Kind::None:
-			return "";
-		case Target::Kind::Building:
-			return is_valid(place.building()) ? "building:" + number_text(buildings, place.index) : "";
-		case Target::Kind::Zone:
-			return "zone:" + number_text(zones, place.index);
-		case Target::Kind::Object:
-			return "object:" + number_text(objects, place.index);
-		case Target::Kind::Person:
-			return "person:" + number_text(persons, place.index);
-	}
-	return "";
-}
 
 TraceWriter::TraceWriter(AtomicFile &file, const Simulation &simulation, SimTime start, FileNumbers numbers)
 	: _file(file), _simulation(simulation), _start(start), _numbers(numbers) {
@@ -113,8 +110,8 @@ TraceWriter::TraceWriter(AtomicFile &file, const Simulation &simulation, SimTime
 
 void TraceWriter::write(SimTime time, PersonId id, std::string_view what, Target goal, glm::vec3 position) {
 	char line[256];
-	const std::string person = _numbers.text(id);
-	const std::string place = _numbers.text(goal);
+	const std::string person = person_text(_numbers, id);
+	const std::string place = place_text(_numbers, goal);
 	const int length = std::snprintf(line, sizeof line, "%.3f,%s,%.*s,%s,%.2f,%.2f\n", (time - _start).in_seconds(), person.c_str(),
 			int(what.size()), what.data(), place.c_str(), double(position.x), double(position.z));
 	_file.write({ line, size_t(length) });

@@ -3,26 +3,14 @@
 #include <string>
 
 #include "core/base/diagnostic.h"
+#include "core/base/file_ids.h"
 #include "core/io/atomic_file.h"
-#include "core/io/city_json.h"
 #include "core/population/population.h"
 #include "core/sim/lived_log.h"
 #include "core/sim/simulation.h"
 
 // What happened in a simulation, as tables.
 namespace pcg {
-
-// The numbers that the user's files gave; dense ids where null.
-struct FileNumbers {
-	const FileIds *buildings = nullptr;
-	const FileIds *zones = nullptr;
-	const FileIds *objects = nullptr;
-	const FileIds *persons = nullptr;
-
-	// "building:12", "zone:3", ..; empty for none.
-	std::string text(Target place) const;
-	std::string text(PersonId id) const;
-};
 
 // Writes every event as it comes: columns seconds (since `start`), person, event, place, x, z. At the start and after a time jump, which is a row
 // `jumped` whose place is the moment before, a row for everybody tells where it is: inside, walking (there), at-place or waiting.

@@ -10,6 +10,11 @@ constexpr size_t none = SIZE_MAX;
 
 } // namespace
 
+uint32_t home_capacity(const CityModel &city, BuildingId building, TypeId home_type, uint32_t default_capacity) {
+	const uint32_t told = city.capacity(building, home_type);
+	return told > 0 ? told : default_capacity;
+}
+
 HomeFinder::HomeFinder(const CityModel &city, std::string_view home_type, uint32_t default_capacity) {
 	const TypeId type = city.types.find(home_type);
 	_homes = city.buildings_of_type(type);
@@ -18,8 +23,7 @@ HomeFinder::HomeFinder(const CityModel &city, std::string_view home_type, uint32
 	}
 	_most_free.assign(2 * _leaf_count, 0);
 	for (size_t i = 0; i < _homes.size(); ++i) {
-		const uint32_t told = city.capacity(_homes[i], type);
-		const uint32_t capacity = told > 0 ? told : default_capacity;
+		const uint32_t capacity = home_capacity(city, _homes[i], type, default_capacity);
 		_total += capacity;
 		_end_of.push_back(_total);
 		_most_free[_leaf_count + i] = capacity;

@@ -9,6 +9,11 @@
 
 namespace pcg {
 
+constexpr uint32_t default_home_capacity = 4; // persons, where the entrances of a building say none
+
+// Persons who live in this building at most; it has an entrance of `home_type`.
+uint32_t home_capacity(const CityModel &city, BuildingId building, TypeId home_type, uint32_t default_capacity = default_home_capacity);
+
 // Free places to live, building by building. Large buildings are found more often, in proportion to their capacity.
 class HomeFinder {
 public:

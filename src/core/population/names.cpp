@@ -35,6 +35,10 @@ constexpr NamedColor clothes[] = { { "white", 232, 232, 228 }, { "black", 36, 36
 	{ "red", 186, 52, 48 }, { "wine", 116, 36, 56 }, { "pink", 214, 136, 160 }, { "violet", 116, 80, 156 },
 	{ "brown", 110, 78, 54 } };
 
+std::string_view name_at(const Population &population, std::span<const std::string_view> list, uint32_t index) {
+	return index < list.size() ? list[index] : std::string_view(population.names[index - list.size()]);
+}
+
 } // namespace
 
 std::span<const std::string_view> first_names(Gender gender) {
@@ -48,11 +52,17 @@ std::span<const std::string_view> family_names() { return families; }
 std::span<const NamedColor> hair_colors() { return hairs; }
 std::span<const NamedColor> clothes_colors() { return clothes; }
 
-std::string full_name(const Population &population, PersonId id) {
+std::string_view first_name(const Population &population, PersonId id) {
 	const Person &person = population.person(id);
-	const auto first = first_names(person.gender);
-	const uint32_t family = population.household(person.household).family_name;
-	return std::string(first[person.name % first.size()]) + " " + std::string(families[family % std::size(families)]);
+	return name_at(population, first_names(person.gender), person.name);
+}
+
+std::string_view family_name(const Population &population, HouseholdId id) {
+	return name_at(population, family_names(), population.household(id).family_name);
+}
+
+std::string full_name(const Population &population, PersonId id) {
+	return std::string(first_name(population, id)) + " " + std::string(family_name(population, population.person(id).household));
 }
 
 } // namespace pcg

@@ -22,6 +22,10 @@ std::span<const std::string_view> family_names();
 std::span<const NamedColor> hair_colors();
 std::span<const NamedColor> clothes_colors();
 
+// An index behind the end of the list counts on in Population::names, where names stand that somebody wrote by hand.
+std::string_view first_name(const Population &population, PersonId id);
+std::string_view family_name(const Population &population, HouseholdId id);
+
 // "Ada Marsh".
 std::string full_name(const Population &population, PersonId id);
 

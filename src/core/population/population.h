@@ -14,7 +14,7 @@ enum class Gender : uint8_t { Man, Woman };
 // Whole of a person's lasting data: 24 bytes.
 struct Person {
 	HouseholdId household = HouseholdId::Invalid;
-	uint32_t name = 0; // index in first_names(gender), see names.h
+	uint32_t name = 0; // see first_name() in names.h
 	float walking_speed = 1.3f; // m/s, > 0
 	float age = 30.0f; // years
 	Gender gender = Gender::Woman;
@@ -28,13 +28,16 @@ struct Household {
 	PersonId first_member = PersonId::Invalid;
 	uint16_t member_count = 0;
 	uint16_t pattern = 0; // row of the household table that it was drawn from
-	uint16_t family_name = 0; // index in family_names()
+	uint32_t family_name = 0; // see family_name() in names.h
 	uint8_t hair_color = 0; // index in hair_colors(); shared by the members, as in the paper
 };
+
+constexpr uint32_t max_household_size = 0xFFFF; // members; far more than anybody lives with
 
 struct Population {
 	std::vector<Person> persons;
 	std::vector<Household> households;
+	std::vector<std::string> names; // of persons and families, that the lists of names.h lack
 	std::string home_type = "house"; // of the entrances of homes
 
 	// Households in order of id, their members one behind the other.
@@ -44,16 +47,6 @@ struct Population {
 };
 
 // More households behind the others, numbered on from them.
-inline void append_population(Population &population, const Population &more) {
-	const auto first_household = uint32_t(population.households.size()), first_person = uint32_t(population.persons.size());
-	for (Household household : more.households) {
-		household.first_member = PersonId(index_of(household.first_member) + first_person);
-		population.households.push_back(household);
-	}
-	for (Person person : more.persons) {
-		person.household = HouseholdId(index_of(person.household) + first_household);
-		population.persons.push_back(person);
-	}
-}
+void append_population(Population &population, const Population &more);
 
 } // namespace pcg

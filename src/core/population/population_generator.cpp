@@ -28,13 +28,13 @@ public:
 
 	Population run(Diagnostics &diagnostics) {
 		_population.home_type = _options.home_type;
-		if (_homes.is_empty()) {
-			diagnostics.error("no-homes", "the city has no building with an entrance of type '" + _options.home_type + "', so nobody can live in it",
-					"give houses an entrance(\"" + _options.home_type + "\")");
-			return {};
-		}
 		if (_patterns.is_empty()) {
 			diagnostics.error("no-households", "the household table has no household that occurs", "check the counts of the table");
+			return {};
+		}
+		if (_homes.is_empty()) {
+			count_unhoused(0, 0);
+			report_no_homes(diagnostics);
 			return {};
 		}
 		uint64_t persons = 0;
@@ -82,6 +82,15 @@ private:
 		}
 	}
 
+	void report_no_homes(Diagnostics &diagnostics) const {
+		if (_homeless > 0) {
+			diagnostics.warning("no-homes",
+					std::to_string(_homeless) + " persons, but the homes of the city take 0, for no building has an entrance of type '" +
+							_options.home_type + "': all " + std::to_string(_homeless) + " were left out",
+					"give houses an entrance(\"" + _options.home_type + "\")");
+		}
+	}
+
 	static std::vector<double> weights_of(const HouseholdTable &table) {
 		std::vector<double> weights;
 		for (const HouseholdPattern &pattern : table.patterns) {
@@ -101,7 +110,7 @@ private:
 			Random random(derive_seed(_options.seed, hash_text("household") + attempt), number);
 			draw.pattern = uint16_t(_patterns.draw(random));
 			draw.members = draw_members(_table.patterns[draw.pattern], random);
-			const bool is_too_large = draw.members.size() > _homes.largest();
+			const bool is_too_large = !_homes.is_empty() && draw.members.size() > _homes.largest();
 			was_too_large = was_too_large || is_too_large;
 			if (!is_too_large && (_options.households > 0 || persons + draw.members.size() <= _options.persons)) {
 				break;
@@ -122,7 +131,7 @@ private:
 		household.first_member = PersonId(uint32_t(_population.persons.size()));
 		household.member_count = uint16_t(draw.members.size());
 		household.pattern = draw.pattern;
-		household.family_name = uint16_t(random.index(family_names().size()));
+		household.family_name = uint32_t(random.index(family_names().size()));
 		household.hair_color = uint8_t(random.index(hair_colors().size()));
 		for (const DrawnMember &member : draw.members) {
 			Person person;

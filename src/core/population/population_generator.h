@@ -5,6 +5,7 @@
 
 #include "core/base/diagnostic.h"
 #include "core/base/parallel.h"
+#include "core/population/home_finder.h"
 #include "core/population/household_pattern.h"
 #include "core/population/population.h"
 #include "core/semantics/city_model.h"
@@ -17,12 +18,11 @@ struct PopulationOptions {
 	uint32_t households = 0; // used instead of `persons` if it is above 0
 	std::string home_type = "house"; // type of the entrances of homes
 	WorkOptions work; // progress in persons or households, as asked for; a cancelled draw gives nobody, and a warning
-	uint32_t default_capacity = 4; // persons in a building whose entrances of that type say 0
+	uint32_t default_capacity = default_home_capacity; // persons in a building whose entrances of that type say 0
 };
 
 // Draws households in proportion to their occurrence and houses them by the capacity of the buildings (paper, "Population"). The n-th
-// household depends on (seed, n) only. Whatever finds no home is left out, with a warning that tells both figures; no home at all is an
-// error and gives nobody. At least one member of every household is 18 or over.
+// household depends on (seed, n) only. Whatever finds no home is left out, with a warning that tells both figures; that may be everybody. At least one member of every household is 18 or over.
 Population generate_population(const HouseholdTable &table, const CityModel &city, const PopulationOptions &options, Diagnostics &diagnostics);
 
 } // namespace pcg

@@ -20,7 +20,7 @@ constexpr float arm_length = 0.01f; // metres within which a person stands at it
 Behavior::Behavior(Simulation &simulation, const agenda::World &world, const SimulationSettings &settings)
 	: agenda::Context(world), _simulation(simulation), _seed(settings.seed), _vm(*world.program, *this, behavior_limits) {
 	for (const AttributeOverride &attribute : settings.overrides) {
-		_vm.override_attribute(attribute.name, attribute.value);
+		override_attribute(_vm, attribute);
 	}
 }
 
@@ -92,7 +92,7 @@ Flow Behavior::stay_inside(double seconds) {
 }
 
 Flow Behavior::go_to_building(double number) {
-	const BuildingId building = to_id<BuildingId>(number, city().buildings().size());
+	const BuildingId building = building_of(number);
 	if (!is_valid(building)) {
 		_simulation.emit(_person, SimEventKind::Unreachable);
 		return Flow::Stop;
@@ -120,7 +120,7 @@ Flow Behavior::go_to_zone(const Text &type) {
 }
 
 bool Behavior::find_object(double number, ObjectId &object) {
-	object = to_id<ObjectId>(number, city().objects().size());
+	object = object_of(number);
 	if (is_valid(object) && !city().object(object).is_removed) {
 		return _simulation.reserve_place(_person, object);
 	}
@@ -174,8 +174,7 @@ void Behavior::report(Diagnostic diagnostic) {
 		return;
 	}
 	if (diagnostic.id != agenda::missing_type_id) {
-		diagnostic.message += " (person " + std::to_string(index_of(_person)) + " of household " +
-				std::to_string(index_of(household_id())) + ", day " + std::to_string(_simulation.now().day()) + ", " +
+		diagnostic.message += " (" + name_of(_person) + " of " + name_of(household_id()) + ", day " + std::to_string(_simulation.now().day()) + ", " +
 				clock_text(_simulation.now().time_of_day(), true) + ")";
 	}
 	if (diagnostic.severity == Severity::Error) {

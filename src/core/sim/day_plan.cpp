@@ -8,10 +8,7 @@ namespace {
 
 constexpr int64_t week_days = 7;
 
-bool is_on(const Task &task, int64_t day) {
-	const int weekday = int(((day % week_days) + week_days) % week_days);
-	return (task.days >> weekday) & 1;
-}
+DayMask mask_of(int64_t day) { return DayMask(1u << SimTime::at(day, {}).weekday()); }
 
 PlannedEntry on_day(std::span<const Task> tasks, size_t index, int64_t day) {
 	const Task &task = tasks[index];
@@ -24,8 +21,9 @@ PlannedEntry hole_at(const AgendaView &agenda, SimTime time) {
 	result.start = time - week;
 	result.end = time + week;
 	for (int64_t day = time.day() - week_days - 1; day <= time.day() + week_days; ++day) {
+		const DayMask mask = mask_of(day);
 		for (const Task &task : agenda.on(day)) {
-			if (!is_on(task, day)) {
+			if (!(task.days & mask)) {
 				continue;
 			}
 			const SimTime start = SimTime::at(day, task.start());
@@ -44,8 +42,9 @@ PlannedEntry hole_at(const AgendaView &agenda, SimTime time) {
 PlannedEntry planned_in_changed(const AgendaView &agenda, SimTime time) {
 	for (int64_t day = time.day() - 1; day <= time.day(); ++day) {
 		const std::span<const Task> tasks = agenda.on(day);
+		const DayMask mask = mask_of(day);
 		for (size_t i = 0; i < tasks.size(); ++i) {
-			if (is_on(tasks[i], day) && SimTime::at(day, tasks[i].start()) <= time && time < SimTime::at(day, tasks[i].end())) {
+			if ((tasks[i].days & mask) && SimTime::at(day, tasks[i].start()) <= time && time < SimTime::at(day, tasks[i].end())) {
 				return on_day(tasks, i, day);
 			}
 		}
@@ -62,7 +61,7 @@ PlannedEntry planned_entry_at(const AgendaView &agenda, SimTime time) {
 	const std::span<const Task> tasks = agenda.week;
 	const int64_t today = time.day();
 	const int64_t since_midnight = time.ms - today * one_day.ms;
-	const int weekday = int(((today % week_days) + week_days) % week_days);
+	const int weekday = time.weekday();
 	const DayMask on_today = DayMask(1 << weekday), on_yesterday = DayMask(1 << ((weekday + 6) % 7));
 	for (size_t i = 0; i < tasks.size(); ++i) {
 		const Task &task = tasks[i];

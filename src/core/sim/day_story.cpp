@@ -65,7 +65,7 @@ std::string Storyteller::place_name(Target place) const {
 	} else if (place.kind == Target::Kind::Object) {
 		return "a " + std::string(_city.types.name(_city.object(place.object()).type));
 	} else if (place.kind == Target::Kind::Person) {
-		return std::string(first_names(_population.person(PersonId(place.index)).gender)[_population.person(PersonId(place.index)).name]);
+		return std::string(first_name(_population, PersonId(place.index)));
 	}
 	if (word.empty()) {
 		return place.kind == Target::Kind::Building ? "a building" : "the street";
@@ -75,12 +75,10 @@ std::string Storyteller::place_name(Target place) const {
 
 // With the age at the first mention.
 std::string Storyteller::name(PersonId id) {
-	const Person &person = _population.person(id);
-	const std::span<const std::string_view> known = first_names(person.gender);
-	std::string result(known[person.name % known.size()]);
+	std::string result(first_name(_population, id));
 	if (std::count(_introduced.begin(), _introduced.end(), id) == 0) {
 		_introduced.push_back(id);
-		result += " (" + std::to_string(int(person.age)) + ")";
+		result += " (" + std::to_string(int(_population.person(id).age)) + ")";
 	}
 	return result;
 }

@@ -74,7 +74,7 @@ uint64_t InvariantChecker::broken_total() const {
 void InvariantChecker::complain(Promise promise, PersonId id, SimTime time, std::string text) {
 	++_broken[size_t(promise)];
 	if (_examples.size() < example_limit) {
-		_examples.push_back(std::string(promise_name(promise)) + ": person " + std::to_string(to_number(id) < 0 ? -1 : int64_t(index_of(id))) +
+		_examples.push_back(std::string(promise_name(promise)) + ": person " + number_text(_simulation.settings().numbers.persons, id) +
 				", day " + std::to_string(time.day()) + ", " + clock_text(time.time_of_day(), true) + ": " + text);
 	}
 }
@@ -363,7 +363,7 @@ void InvariantChecker::check_seats() {
 		const bool is_same_object = seats[i].object == seats[i - 1].object;
 		if (is_same_object && (seats[i].place == seats[i - 1].place || double(glm::distance(a, b)) <= tolerance)) {
 			complain(Promise::NoDoubleSeat, PersonId(seats[i].person), _simulation.now(),
-					"shares a place with person " + std::to_string(seats[i - 1].person));
+					"shares a place with person " + number_text(_simulation.settings().numbers.persons, PersonId(seats[i - 1].person)));
 		}
 	}
 }

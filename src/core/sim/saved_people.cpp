@@ -78,6 +78,7 @@ template <typename Archive, typename List> void visit_changed(Archive &archive, 
 template <typename Archive, typename Record> void visit_population(Archive &archive, Record &population) {
 	archive.list(population.persons, [](auto &inner, auto &person) { visit_person(inner, person); });
 	archive.list(population.households, [](auto &inner, auto &household) { visit_household(inner, household); });
+	archive.list(population.names, [](auto &inner, auto &name) { inner.text(name); });
 	archive.text(population.home_type);
 }
 
@@ -86,13 +87,13 @@ bool is_sound(const Population &population) {
 	for (size_t i = 0; i < population.households.size(); ++i) {
 		const Household &household = population.households[i];
 		if (index_of(household.first_member) != next || next + household.member_count > population.persons.size() ||
-				household.family_name >= family_names().size() || household.hair_color >= hair_colors().size()) {
+				household.family_name >= family_names().size() + population.names.size() || household.hair_color >= hair_colors().size()) {
 			return false;
 		}
 		for (uint32_t member = 0; member < household.member_count; ++member, ++next) {
 			const Person &person = population.persons[next];
 			if (index_of(person.household) != i || !(person.walking_speed > 0.0f) || !std::isfinite(person.walking_speed) ||
-					!std::isfinite(person.age) || person.name >= first_names(person.gender).size() ||
+					!std::isfinite(person.age) || person.name >= first_names(person.gender).size() + population.names.size() ||
 					person.clothes_color >= clothes_colors().size()) {
 				return false;
 			}

@@ -103,8 +103,25 @@ template <typename Archive, typename Figures> void visit_statistics(Archive &arc
 	}
 }
 
+template <typename Archive, typename Attribute> void visit_attribute(Archive &archive, Attribute &attribute) {
+	archive.text(attribute.name);
+	auto type = uint8_t(attribute.value.index());
+	archive.choice(type, std::variant_size_v<AttributeValue>);
+	if constexpr (Archive::is_reading) {
+		attribute.value = type == 0 ? AttributeValue(0.0) : type == 1 ? AttributeValue(false) : AttributeValue(std::string());
+	}
+	if (auto *const text = std::get_if<std::string>(&attribute.value)) {
+		archive.text(*text);
+	} else if (auto *const truth = std::get_if<bool>(&attribute.value)) {
+		archive.values(*truth);
+	} else {
+		archive.values(std::get<double>(attribute.value));
+	}
+}
+
 template <typename Archive, typename State> void visit_state(Archive &archive, State &state) {
 	archive.values(state.program_fingerprint, state.seed, state.buildings, state.zones, state.objects);
+	archive.list(state.attributes, [](auto &inner, auto &attribute) { visit_attribute(inner, attribute); });
 	visit_time(archive, state.patience);
 	visit_time(archive, state.now);
 	visit_statistics(archive, state.statistics);

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/lang/attribute_override.h"
 #include "core/lang/vm.h"
 #include "core/sim/party.h"
 #include "core/sim/person_record.h"
@@ -29,6 +30,7 @@ struct SavedBehavior {
 struct SavedState {
 	uint64_t program_fingerprint = 0; // 0: none
 	uint64_t seed = 0;
+	std::vector<AttributeOverride> attributes; // of the rules, that the host set
 	Duration patience;
 	uint64_t buildings = 0, zones = 0, objects = 0; // that the city had
 	SimTime now;

@@ -124,7 +124,7 @@ bool Simulation::take_in_city_edits() {
 		if (!_rule_world) {
 			_rule_world = std::make_unique<agenda::World>();
 		}
-		*_rule_world = agenda::make_world(*_program, _city, _paths, _population); // in place: behaviors point to it
+		*_rule_world = agenda::make_world(*_program, _city, _paths, _population, _settings.numbers); // in place: behaviors point to it
 	}
 	return true;
 }

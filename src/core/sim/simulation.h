@@ -40,6 +40,7 @@ struct SimulationSettings {
 	uint64_t seed = 1; // the one that the agendas were generated with, so that attributes keep their values
 	Duration patience = Duration::minutes(30); // how long members of a group wait for each other
 	std::vector<AttributeOverride> overrides; // as given to the generation
+	FileNumbers numbers; // as given to the generation
 	bool has_live_bodies = true; // false: AgentHost is never called
 };
 
@@ -136,6 +137,7 @@ public:
 	const CityModel &city() const { return _city; }
 	const PathProvider &paths() const { return _paths; }
 	const Population &population() const { return _population; }
+	const SimulationSettings &settings() const { return _settings; } // seed, patience and overrides as restored
 	const AgendaSet &agendas() const { return _agendas; }
 
 private:

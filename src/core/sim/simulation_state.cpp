@@ -39,6 +39,7 @@ std::string Simulation::save() const {
 	SavedState state;
 	state.program_fingerprint = _program ? _program->fingerprint : 0;
 	state.seed = _settings.seed;
+	state.attributes = _settings.overrides;
 	state.patience = _settings.patience;
 	state.buildings = _city.buildings().size();
 	state.zones = _city.zones().size();
@@ -92,6 +93,7 @@ bool Simulation::restore(std::string_view bytes, Diagnostics &diagnostics) {
 bool Simulation::wake_behaviors(const SavedState &state, std::vector<std::unique_ptr<Behavior>> &behaviors) {
 	SimulationSettings settings = _settings;
 	settings.seed = state.seed;
+	settings.overrides = state.attributes;
 	for (const SavedBehavior &saved : state.behaviors) {
 		behaviors.push_back(std::make_unique<Behavior>(*this, *_rule_world, settings));
 		if (!behaviors.back()->restore(saved)) {
@@ -107,6 +109,7 @@ void Simulation::take_over_state(SavedState &&state, std::vector<std::unique_ptr
 	_now = state.now;
 	_settings.patience = state.patience;
 	_settings.seed = state.seed;
+	_settings.overrides = std::move(state.attributes);
 	_statistics = state.statistics;
 	_statistics.outside = 0;
 	_persons = std::move(state.persons);

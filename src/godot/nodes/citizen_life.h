@@ -5,6 +5,7 @@
 
 #include "core/agenda/agenda.h"
 #include "core/figure/crowd.h"
+#include "core/lang/attribute_override.h"
 #include "core/population/population.h"
 #include "core/sim/age_heat.h"
 #include "core/sim/invariants.h"
@@ -55,6 +56,8 @@ struct CitizenLife {
 	std::shared_ptr<const Program> program;
 	Population population;
 	AgendaSet agendas;
+	uint64_t seed = 1; // that the agendas were written with, as the next; a loaded life brings its own
+	std::vector<AttributeOverride> attributes;
 	NoticeBoard notices;
 	std::shared_ptr<Crowd> bodies; // shared with whoever shows them, whom the game may free
 	std::unique_ptr<Simulation> simulation;

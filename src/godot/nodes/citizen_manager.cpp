@@ -11,6 +11,7 @@
 
 #include "core/agenda/agenda_generator.h"
 #include "core/agenda/context.h"
+#include "core/population/crowded_homes.h"
 #include "core/population/population_generator.h"
 #include "core/sim/day_plan.h"
 #include "godot/convert.h"
@@ -110,6 +111,11 @@ void CitizenManager::set_rules(const Ref<PCGRuleSet> &p_rules) {
 	update_configuration_warnings();
 }
 
+void CitizenManager::set_attributes(const Dictionary &p_attributes) {
+	_attributes = p_attributes;
+	update_configuration_warnings();
+}
+
 void CitizenManager::set_household_table(const Ref<PCGHouseholdTable> &p_table) {
 	_table = p_table;
 	update_configuration_warnings();
@@ -126,60 +132,6 @@ void CitizenManager::set_person_count(int p_count) {
 	update_configuration_warnings();
 }
 
-PackedStringArray CitizenManager::_get_configuration_warnings() const {
-	PackedStringArray warnings;
-	if (!get_city()) {
-		warnings.push_back("Nobody can live here: set `city` to a PCGCity of this scene.");
-	}
-	if (_rules.is_null()) {
-		warnings.push_back("Nobody knows what to do: set `rules` to a .pcg file.");
-	} else if (_rules->has_errors()) {
-		warnings.push_back("The rules have errors; see their list of diagnostics.");
-	} else if (_rules->get_dialect() != PCGRuleSet::DIALECT_AGENDA) {
-		warnings.push_back("These rules build lots. Agendas come from a .pcg file.");
-	}
-	if (_table.is_null() && _people.is_null()) {
-		warnings.push_back("There are no households: set `household_table`, or a `population`.");
-	} else if (_people.is_null() && _table->has_errors()) {
-		warnings.push_back("The household table has errors; see its list of diagnostics.");
-	}
-	if (_people.is_null() && _person_count == 0) {
-		warnings.push_back("Nobody is to be drawn: `person_count` is 0.");
-	}
-	return warnings;
-}
-
-bool CitizenManager::check_place(Diagnostics &diagnostics) const {
-	const PCGCity *city = get_city();
-	if (!city) {
-		diagnostics.error("missing-city", "CitizenManager has no city", "set its `city` to a PCGCity");
-	} else if (!city->is_generated()) {
-		diagnostics.error("missing-city", "the city of CitizenManager has not been generated yet",
-				"call generate() on it and wait for city_generated");
-	}
-	if (_rules.is_null()) {
-		diagnostics.error("missing-rules", "CitizenManager has no rules", "set its `rules` to a .pcg file");
-	} else if (_rules->get_dialect() != PCGRuleSet::DIALECT_AGENDA) {
-		diagnostics.error("wrong-dialect", "the rules of CitizenManager are shape grammar rules", "give it a .pcg file");
-	} else {
-		diagnostics.append(_rules->diagnostics());
-	}
-	return !diagnostics.has_errors();
-}
-
-bool CitizenManager::check_inputs(Diagnostics &diagnostics) const {
-	check_place(diagnostics);
-	if (_people.is_valid()) {
-		return !diagnostics.has_errors();
-	}
-	if (_table.is_null()) {
-		diagnostics.error("missing-households", "CitizenManager has no household table", "set its `household_table`, or a `population`");
-	} else {
-		diagnostics.append(_table->diagnostics());
-	}
-	return !diagnostics.has_errors();
-}
-
 std::shared_ptr<CitizenLife> CitizenManager::new_life() const {
 	std::shared_ptr<CitizenLife> life = std::make_shared<CitizenLife>();
 	life->city = get_city()->state();
@@ -187,9 +139,10 @@ std::shared_ptr<CitizenLife> CitizenManager::new_life() const {
 	return life;
 }
 
-AgendaOptions CitizenManager::agenda_options() const {
+AgendaOptions CitizenManager::agenda_options(const CitizenLife &life) const {
 	AgendaOptions options;
-	options.seed = uint64_t(_seed);
+	options.seed = life.seed;
+	options.overrides = life.attributes;
 	options.start_rule = from_godot(_start_rule);
 	options.work.threads = has_script_builtins() ? 1 : 0;
 	return options;
@@ -203,7 +156,12 @@ void CitizenManager::draw_people(CitizenLife &life, Diagnostics &diagnostics) co
 	const CityModel &model = life.city->city.model;
 	life.population = _people.is_valid() ? _people->read(model, diagnostics) : pcg::generate_population(_table->table(), model, options, diagnostics);
 	life.population.home_type = options.home_type;
-	const AgendaOptions days = agenda_options();
+	if (_people.is_valid()) {
+		warn_of_crowded_homes(life.population, model, {}, diagnostics);
+	}
+	life.seed = uint64_t(_seed);
+	life.attributes = attributes(diagnostics);
+	const AgendaOptions days = agenda_options(life);
 	if (!diagnostics.has_errors()) { // from here on scripts may free this node
 		life.agendas = generate_agendas(*life.program, model, *life.city->paths, life.population, days, diagnostics);
 	}
@@ -261,8 +219,9 @@ bool CitizenManager::start() {
 // `begin` puts people in place. False if nothing runs in the end: whoever listens may have ended it.
 bool CitizenManager::live(const std::function<void(Simulation &)> &begin) {
 	SimulationSettings settings;
-	settings.seed = uint64_t(_seed);
 	CitizenLife &life = *_life;
+	settings.seed = life.seed;
+	settings.overrides = life.attributes;
 	life.simulation = std::make_unique<Simulation>(life.city->city.model, *life.city->paths, life.population, life.agendas, life.program,
 			std::move(settings), life.notices);
 	life.notices.set_simulation(life.simulation.get());

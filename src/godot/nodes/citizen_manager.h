@@ -43,6 +43,8 @@ public:
 	godot::Ref<PCGRuleSet> get_rules() const { return _rules; }
 	void set_start_rule(const godot::String &p_rule) { _start_rule = p_rule; }
 	godot::String get_start_rule() const { return _start_rule; }
+	void set_attributes(const godot::Dictionary &p_attributes);
+	godot::Dictionary get_attributes() const { return _attributes; }
 	void set_household_table(const godot::Ref<PCGHouseholdTable> &p_table);
 	godot::Ref<PCGHouseholdTable> get_household_table() const { return _table; }
 	void set_population(const godot::Ref<PCGPopulation> &p_population);
@@ -66,6 +68,7 @@ public:
 	void set_time(double p_seconds);
 	double get_time() const;
 	godot::String get_clock_text() const;
+	static godot::String format_clock(double p_seconds);
 	void set_time_scale(double p_scale);
 	double get_time_scale() const { return _time_scale; }
 	void set_paused(bool p_paused) { _is_paused = p_paused; }
@@ -97,6 +100,7 @@ public:
 
 	// citizen_manager_queries.cpp
 	bool has_person(int p_person) const;
+	int count_persons() const { return _life ? int(_life->population.persons.size()) : 0; }
 	godot::Dictionary get_person(int p_person) const;
 	godot::Dictionary get_looks(int p_person) const;
 	godot::PackedInt32Array find_persons(const godot::Callable &p_predicate) const;
@@ -140,7 +144,8 @@ private:
 	bool check_place(Diagnostics &diagnostics) const;
 	std::shared_ptr<CitizenLife> new_life() const;
 	void draw_people(CitizenLife &life, Diagnostics &diagnostics) const;
-	AgendaOptions agenda_options() const;
+	AgendaOptions agenda_options(const CitizenLife &life) const;
+	std::vector<AttributeOverride> attributes(Diagnostics &diagnostics) const;
 	bool live(const std::function<void(Simulation &)> &begin);
 	void begin_record();
 	godot::Transform3D city_frame() const; // the identity without a city
@@ -173,6 +178,7 @@ private:
 	uint64_t _city_id = 0; // of the PCGCity; 0 = none
 	godot::Ref<PCGRuleSet> _rules;
 	godot::String _start_rule;
+	godot::Dictionary _attributes; // of the rules, by name
 	godot::Ref<PCGHouseholdTable> _table;
 	godot::Ref<PCGPopulation> _people; // null: households are drawn from the table
 	int _person_count = 600;

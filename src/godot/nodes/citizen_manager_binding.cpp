@@ -67,6 +67,9 @@ void CitizenManager::bind_properties() {
 	ClassDB::bind_method(D_METHOD("set_start_rule", "rule"), &CitizenManager::set_start_rule);
 	ClassDB::bind_method(D_METHOD("get_start_rule"), &CitizenManager::get_start_rule);
 	ADD_PROPERTY(PropertyInfo(Variant::STRING, "start_rule"), "set_start_rule", "get_start_rule");
+	ClassDB::bind_method(D_METHOD("set_attributes", "attributes"), &CitizenManager::set_attributes);
+	ClassDB::bind_method(D_METHOD("get_attributes"), &CitizenManager::get_attributes);
+	ADD_PROPERTY(PropertyInfo(Variant::DICTIONARY, "attributes"), "set_attributes", "get_attributes");
 	ClassDB::bind_method(D_METHOD("set_household_table", "table"), &CitizenManager::set_household_table);
 	ClassDB::bind_method(D_METHOD("get_household_table"), &CitizenManager::get_household_table);
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "household_table", PROPERTY_HINT_RESOURCE_TYPE, "PCGHouseholdTable"),
@@ -114,6 +117,8 @@ void CitizenManager::bind_properties() {
 
 void CitizenManager::bind_queries() {
 	ClassDB::bind_method(D_METHOD("get_clock_text"), &CitizenManager::get_clock_text);
+	ClassDB::bind_static_method("CitizenManager", D_METHOD("format_clock", "seconds"), &CitizenManager::format_clock);
+	ClassDB::bind_method(D_METHOD("count_persons"), &CitizenManager::count_persons);
 	ClassDB::bind_method(D_METHOD("get_person", "person"), &CitizenManager::get_person);
 	ClassDB::bind_method(D_METHOD("get_looks", "person"), &CitizenManager::get_looks);
 	ClassDB::bind_method(D_METHOD("find_persons", "predicate"), &CitizenManager::find_persons);

@@ -2,6 +2,7 @@
 
 #include <godot_cpp/core/error_macros.hpp>
 
+#include "core/population/crowded_homes.h"
 #include "core/sim/day_plan.h"
 #include "godot/convert.h"
 #include "godot/convert_task.h"
@@ -190,9 +191,10 @@ PackedInt32Array CitizenManager::add_people(const Ref<PCGPopulation> &p_people) 
 	const CityModel &model = life->city->city.model;
 	const Population more = p_people->read(model, diagnostics);
 	const size_t before = life->population.persons.size();
-	AgendaOptions options = agenda_options();
+	AgendaOptions options = agenda_options(*life);
 	options.first_household = HouseholdId(uint32_t(life->population.households.size()));
 	append_population(life->population, more);
+	warn_of_crowded_homes(life->population, model, {}, diagnostics);
 	const uint64_t self = get_instance_id();
 	_is_generating = true;
 	append_agendas(life->agendas, generate_agendas(*life->program, model, *life->city->paths, life->population, options, diagnostics));

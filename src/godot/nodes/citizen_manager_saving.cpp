@@ -62,7 +62,11 @@ bool CitizenManager::load_state(const PackedByteArray &p_bytes) {
 	_diagnostics = diagnostics;
 	_life = life;
 	follow_city();
-	return live([&](Simulation &simulation) { simulation.restore(file->simulation, diagnostics); });
+	return live([&](Simulation &simulation) {
+		simulation.restore(file->simulation, diagnostics);
+		life->seed = simulation.settings().seed;
+		life->attributes = simulation.settings().overrides;
+	});
 }
 
 Error CitizenManager::save_state_file(const String &p_path) const {

@@ -149,10 +149,10 @@ void CitizenManager::set_time(double p_seconds) { jump_to(get_day(), p_seconds);
 
 double CitizenManager::get_time() const { return (is_running() ? _life->simulation->now() : _begin).time_of_day().in_seconds(); }
 
-String CitizenManager::get_clock_text() const {
-	const SimTime now = is_running() ? _life->simulation->now() : _begin;
-	return to_godot(std::string_view(clock_text(now.time_of_day())));
-}
+String CitizenManager::get_clock_text() const { return format_clock(get_time()); }
+
+// Whole minutes that have gone by, as on any clock.
+String CitizenManager::format_clock(double p_seconds) { return to_godot(std::string_view(clock_text(Duration::seconds(p_seconds)))); }
 
 void CitizenManager::set_time_scale(double p_scale) {
 	ERR_FAIL_COND_MSG(!(p_scale >= 0.0 && p_scale <= 100000.0), "CitizenManager: time_scale is 0 to 100000; 1 is real time.");

@@ -134,7 +134,7 @@ HostValue function_value(HostCall &call, const std::string &name) {
 
 void write_entry(HostCall &call, const std::string &name, const Dictionary &entry) {
 	const String kind = entry.get("kind", "goToBuilding");
-	const BuildingId building = to_id<BuildingId>(double(entry.get("building", -1)), call.context().city().buildings().size());
+	const BuildingId building = call.context().building_of(double(entry.get("building", -1)));
 	if ((kind != "goToBuilding" && kind != "stayInside") || !is_valid(building) || !entry.has("start") || !entry.has("end")) {
 		call.fail("the script behind '" + name + "' gave an entry that is none",
 				"an entry has a `kind` (\"goToBuilding\" or \"stayInside\"), a `building`, a `start` and an `end`");

@@ -96,19 +96,116 @@ TEST_CASE("what a household draws does not depend on the others") {
 
 TEST_CASE("attributes can be set from outside, and a wrong name is told with the closest") {
 	AgendaFixture fixture = street(1);
-	fixture.options.overrides.push_back({ "hours", Value::of(3.0) });
+	fixture.options.overrides.push_back({ "hours", 3.0 });
 	REQUIRE(fixture.generate(random_rules));
 	CHECK(fixture.problems() == "");
 	const Task task = fixture.agendas.tasks_of(PersonId(0))[0];
 	CHECK(task.end_ms - task.start_ms == 3 * 3'600'000);
 
 	AgendaFixture wrong = street(1);
-	wrong.options.overrides.push_back({ "huors", Value::of(3.0) });
+	wrong.options.overrides.push_back({ "huors", 3.0 });
 	wrong.generate(random_rules);
 	REQUIRE(wrong.problems() == "unknown-attribute");
 	CHECK(wrong.diagnostics.list()[0].hint == "did you mean 'hours'?");
 	CHECK(wrong.agendas.tasks.empty());
 	CHECK(wrong.agendas.person_count() == wrong.population.persons.size());
+}
+
+namespace {
+
+// A house 10, a school 7, a shop 9; households 50 and 77 of persons 100, 101 and 205, 1; a bench 300.
+struct NumberedTown {
+	AgendaFixture fixture;
+	FileIds buildings, households, persons, objects;
+
+	NumberedTown() {
+		const BuildingId home = fixture.add_building("house", 0);
+		fixture.add_building("school", 100);
+		fixture.add_building("shop", 50);
+		for (const int64_t number : { 10, 7, 9 }) {
+			buildings.add(number);
+		}
+		for (const int64_t number : { 50, 77 }) {
+			fixture.add_household(home);
+			households.add(number);
+			fixture.add_person(40);
+			fixture.add_person(12);
+		}
+		for (const int64_t number : { 100, 101, 205, 1 }) {
+			persons.add(number);
+		}
+		CityObject bench;
+		bench.type = fixture.city.types.add("bench");
+		bench.places = { { { 0, 0, 0 }, { 0, 0, 1 } } };
+		fixture.city.add_object(bench);
+		objects.add(300);
+		fixture.options.numbers = { .buildings = &buildings, .objects = &objects, .households = &households, .persons = &persons };
+	}
+};
+
+} // namespace
+
+TEST_CASE("rules and messages know the ids of the user's files") {
+	NumberedTown town;
+	AgendaFixture &fixture = town.fixture;
+	REQUIRE(fixture.generate(R"(
+@StartRule
+Household -->
+	case household.id == 50 && home == 10 && findObject("bench") == 300:
+		members { person.id == 101: goToBuilding(8h, 9h, 7) | 100: stayInside(8h, 9h, findBuilding("shop")) }
+	case household.id == 77 && findNearestBuilding("school", home) == 7 && getDistance(home, 7) == 100:
+		members { chooseMember(person.id == 1): stayInside(1h, 2h, 7) }
+		members { person.id == 205: stayInside(1h, 2h, 0) }
+	else: goToBuilding(8h, 9h, 7)
+)"));
+	CHECK(fixture.day_of(PersonId(0)) == "08:00-09:00 stay 2");
+	CHECK(fixture.day_of(PersonId(1)) == "08:00-09:00 go 1");
+	CHECK(fixture.day_of(PersonId(2)) == "");
+	CHECK(fixture.day_of(PersonId(3)) == "01:00-02:00 stay 1");
+	REQUIRE(fixture.problems() == "no-building");
+	CHECK(fixture.diagnostics.list()[0].message ==
+			"household 77: 'stayInside' is given 0, which is no building of the city, so nothing is inserted");
+}
+
+TEST_CASE("ids that rules cannot tell apart or take for none are counted from 0") {
+	AgendaFixture fixture;
+	fixture.add_household(fixture.add_building("house", 0));
+	fixture.add_person(40);
+	FileIds buildings, households;
+	buildings.add(-4);
+	households.add((int64_t(1) << 53) + 1);
+	fixture.options.numbers = { .buildings = &buildings, .households = &households };
+	REQUIRE(fixture.generate("@StartRule\nHousehold --> case home == 0 && household.id == 0: members { true: stayInside(1h, 2h, home) stayInside(1h, 2h, 5) }"));
+	CHECK(fixture.day_of(PersonId(0)) == "01:00-02:00 stay 0");
+	REQUIRE(fixture.problems() == "no-building");
+	CHECK(fixture.diagnostics.list()[0].message.starts_with("household 9007199254740993: "));
+}
+
+TEST_CASE("what a text means to an attribute depends on the rules; a value of another type or for a constant is told") {
+	AgendaFixture fixture = street(1);
+	REQUIRE(fixture.generate("attr start = 8h\nattr kind = \"shop\"\nattr open = true\nanything = rand(0, 1)\nconst last = 9h\n"
+							 "@StartRule\nHousehold --> members { true: stayInside(start, start + 1, home) }"));
+	const Program &program = *fixture.program;
+	CHECK(attribute_value(program, "start", "8h30m") == AttributeValue(30'600.0));
+	CHECK(attribute_value(program, "start", "-5m") == AttributeValue(-300.0));
+	CHECK(attribute_value(program, "start", "2.5") == AttributeValue(2.5));
+	CHECK(attribute_value(program, "start", "8x") == AttributeValue("8x"));
+	CHECK(attribute_value(program, "kind", "5") == AttributeValue("5"));
+	CHECK(attribute_value(program, "open", "false") == AttributeValue(false));
+	const auto problem_of = [&](const char *name, AttributeValue value) {
+		const std::optional<Diagnostic> problem = attribute_problem(program, { name, std::move(value) });
+		return problem ? std::string(problem->id) + ": " + problem->message + " / " + problem->hint : std::string();
+	};
+	CHECK(problem_of("start", 9.0) == "");
+	CHECK(problem_of("anything", 0.5) == "");
+	CHECK(problem_of("strat", 9.0) == "unknown-attribute: 'strat' is no attribute of the rules / did you mean 'start'?");
+	CHECK(problem_of("last", 9.0) == "const-attribute: 'last' is const in the rules and cannot be set from outside / declare it with attr");
+	CHECK(problem_of("start", "soon") == "attribute-type: 'start' is a number in the rules, not text / give it a value of that type");
+	fixture.options.overrides = { { "start", true }, { "last", 1.0 } };
+	fixture.diagnostics = Diagnostics();
+	fixture.generate("attr start = 8h\nconst last = 9h\n@StartRule\nHousehold --> members { true: stayInside(start, last, home) }");
+	CHECK(fixture.problems() == "attribute-type const-attribute");
+	CHECK(fixture.agendas.tasks.empty());
 }
 
 TEST_CASE("another start rule can be named; a missing one is an error and nobody has entries") {

@@ -41,8 +41,8 @@ AgendaFixture make_town(uint32_t persons) {
 	add_park(fixture.city, "park", 110.0f, 110.0f);
 	add_park(fixture.city, "park", 510.0f, 460.0f);
 	add_park(fixture.city, "plaza", 310.0f, 310.0f);
-	const Result<HouseholdTable> table = read_household_table("rules/data/households_us_acs2023.csv");
-	REQUIRE(table.is_ok());
+	const std::optional<HouseholdTable> table = read_household_table("rules/data/households_us_acs2023.csv", fixture.diagnostics);
+	REQUIRE(table.has_value());
 	PopulationOptions people;
 	people.persons = persons;
 	fixture.population = generate_population(*table, fixture.city, people, fixture.diagnostics);

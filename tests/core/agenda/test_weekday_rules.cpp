@@ -116,8 +116,8 @@ TEST_CASE("in a town of real households no child that has an adult ever walks al
 	for (int i = 0; i < 400; ++i) {
 		fixture.add_building(i % 10 == 0 ? "school" : i % 3 == 0 ? "workplace" : "house", 35.0f * float(i), 40);
 	}
-	const Result<HouseholdTable> table = read_household_table("rules/data/households_us_acs2023.csv");
-	REQUIRE(table.is_ok());
+	const std::optional<HouseholdTable> table = read_household_table("rules/data/households_us_acs2023.csv", fixture.diagnostics);
+	REQUIRE(table.has_value());
 	PopulationOptions people;
 	people.persons = 3000;
 	fixture.population = generate_population(*table, fixture.city, people, fixture.diagnostics);
@@ -155,7 +155,7 @@ TEST_CASE("on a weekend some households go shopping together, led by one adult")
 	AgendaFixture fixture;
 	fixture.add_building("house", 0);
 	fixture.add_building("shop", 450);
-	fixture.options.overrides.push_back({ "outgoing", Value::of(1.0) });
+	fixture.options.overrides.push_back({ "outgoing", 1.0 });
 	fixture.add_household(BuildingId(0));
 	const PersonId adult = fixture.add_person(40);
 	const PersonId child = fixture.add_person(8);

@@ -60,7 +60,7 @@ TEST_CASE("the volume of an extrusion is its area times its height, and it is cl
 				derived("attr h = 1\nLot --> report(\"area\", geometry.area) [ extrude(-h) report(\"down\", geometry.volume) NIL ] extrude(h) report(\"volume\", geometry.volume)",
 						[&] {
 							InitialShape shape = star(random, size_t(3 + i % 12));
-							shape.attributes.emplace_back("h", height);
+							shape.attributes.push_back({ "h", height });
 							return shape;
 						}());
 		CHECK(reported(model, "volume") == doctest::Approx(reported(model, "area") * height));

@@ -22,7 +22,7 @@ TEST_CASE("agendas are a row for each entry and day, with the numbers of the fil
 	FileIds persons;
 	persons.add(500);
 	persons.add(501);
-	AgendaCsvIds ids;
+	FileNumbers ids;
 	ids.buildings = &buildings;
 	ids.persons = &persons;
 	CHECK(agendas_to_csv(fixture.agendas, fixture.population, *fixture.program, ids, std::nullopt) ==

@@ -6,24 +6,34 @@ using namespace pcg;
 
 namespace {
 
+// The only one.
 Diagnostic problem_of(std::string_view text) {
-	const Result<HouseholdTable> table = parse_household_table(text, "table.csv");
-	REQUIRE(!table.is_ok());
-	return table.diagnostic();
+	Diagnostics diagnostics;
+	CHECK_FALSE(parse_household_table(text, "table.csv", diagnostics).has_value());
+	REQUIRE(diagnostics.list().size() == 1);
+	CHECK(diagnostics.has_errors());
+	return diagnostics.list()[0];
+}
+
+HouseholdTable table_of(std::string_view text) {
+	Diagnostics diagnostics;
+	const std::optional<HouseholdTable> table = parse_household_table(text, "table.csv", diagnostics);
+	INFO(to_text(diagnostics));
+	REQUIRE(table.has_value());
+	CHECK(diagnostics.is_empty());
+	return *table;
 }
 
 } // namespace
 
 TEST_CASE("descriptors and columns tell the same household") {
-	const Result<HouseholdTable> table = parse_household_table(
+	const HouseholdTable table = table_of(
 			"# a remark\ndescriptor,count,adults,minors,women\n"
-			"One adult woman with two minor children,10,,,\n\"Lone mothers, two\",20,1,2,1\n",
-			"table.csv");
-	REQUIRE(table.is_ok());
-	REQUIRE(table->patterns.size() == 2);
-	CHECK(table->patterns[1].weight == 20.0);
-	CHECK(table->patterns[1].descriptor == "Lone mothers, two");
-	for (const HouseholdPattern &pattern : table->patterns) {
+			"One adult woman with two minor children,10,,,\n\"Lone mothers, two\",20,1,2,1\n");
+	REQUIRE(table.patterns.size() == 2);
+	CHECK(table.patterns[1].weight == 20.0);
+	CHECK(table.patterns[1].descriptor == "Lone mothers, two");
+	for (const HouseholdPattern &pattern : table.patterns) {
 		REQUIRE(pattern.groups.size() == 2);
 		CHECK(pattern.groups[0].sex == MemberGroup::Sex::Woman);
 		CHECK(pattern.groups[0].count == 1);
@@ -33,9 +43,7 @@ TEST_CASE("descriptors and columns tell the same household") {
 }
 
 TEST_CASE("semicolons, a byte order mark and Windows line ends are understood") {
-	const Result<HouseholdTable> table = parse_household_table("\xEF\xBB\xBF" "descriptor;count\r\nOne man;3\r\n", "t.csv");
-	REQUIRE(table.is_ok());
-	CHECK(table->patterns[0].weight == 3.0);
+	CHECK(table_of("\xEF\xBB\xBF" "descriptor;count\r\nOne man;3\r\n").patterns[0].weight == 3.0);
 }
 
 TEST_CASE("a bad row is one message with line and column and what to do") {
@@ -77,20 +85,23 @@ TEST_CASE("tables that are no tables are told apart") {
 	CHECK(problem_of("descriptor,count\n").id == "no-rows");
 	CHECK(problem_of("name,count\nx,1\n").id == "missing-column");
 	CHECK(problem_of(std::string_view("a\0b", 3)).id == "not-text");
-	CHECK(!read_household_table("there/is/no/such.csv").is_ok());
+	Diagnostics diagnostics;
+	CHECK_FALSE(read_household_table("there/is/no/such.csv", diagnostics).has_value());
+	CHECK(diagnostics.error_count() == 1);
 }
 
 TEST_CASE("the shipped tables are read and count every household once") {
-	const Result<HouseholdTable> us = read_household_table("rules/data/households_us_acs2023.csv");
-	REQUIRE(us.is_ok());
+	Diagnostics diagnostics;
+	const std::optional<HouseholdTable> us = read_household_table("rules/data/households_us_acs2023.csv", diagnostics);
+	REQUIRE(us.has_value());
 	double total = 0.0;
 	for (const HouseholdPattern &pattern : us->patterns) {
 		total += pattern.weight;
 	}
 	CHECK(total == 131'332'360.0); // DP02, total households
 
-	const Result<HouseholdTable> madrid = read_household_table("rules/data/households_madrid_2001.csv");
-	REQUIRE(madrid.is_ok());
+	const std::optional<HouseholdTable> madrid = read_household_table("rules/data/households_madrid_2001.csv", diagnostics);
+	REQUIRE(madrid.has_value());
 	total = 0.0;
 	for (const HouseholdPattern &pattern : madrid->patterns) {
 		total += pattern.weight;
@@ -112,4 +123,39 @@ TEST_CASE("households are counted whole, and no column is there twice") {
 	CHECK(twice.id == "duplicate-column");
 	CHECK(twice.line == 1);
 	CHECK(twice.column == 25);
+}
+
+TEST_CASE("all bad rows of a table are told, 20 of them in full, in the order of the file") {
+	Diagnostics diagnostics;
+	CHECK_FALSE(parse_household_table("descriptor,count\nThree purple unicorns,3\nOne man,5\nOne woman\nA couple with two childrens,4\nOne man,-1\n", "table.csv",
+			diagnostics)
+					.has_value());
+	std::string told;
+	for (const Diagnostic &diagnostic : diagnostics.list()) {
+		told += std::to_string(diagnostic.line) + " " + std::string(diagnostic.id) + "; ";
+	}
+	CHECK(told == "2 unknown-household-words; 4 bad-row; 5 unknown-household-words; 6 negative-count; ");
+
+	std::string many = "descriptor,count\n";
+	for (int i = 0; i < 30; ++i) {
+		many += "Three wombats,1\n";
+	}
+	Diagnostics cut;
+	CHECK_FALSE(parse_household_table(many, "table.csv", cut).has_value());
+	CHECK(cut.list().size() == 20);
+	CHECK(cut.error_count() == 30);
+	CHECK(to_text(cut).find("... and 10 more") != std::string::npos);
+}
+
+TEST_CASE("a table of descriptors and counts needs no line of names") {
+	const HouseholdTable table = table_of("\"one adult woman with two minor children\", 12345\nOne man,5\n");
+	REQUIRE(table.patterns.size() == 2);
+	CHECK(table.patterns[0].weight == 12345.0);
+	CHECK(table.patterns[0].groups[1].count == 2);
+	CHECK(table.patterns[1].descriptor == "One man");
+	CHECK(table_of("\"one adult woman with two minor children\", 12345").patterns.size() == 1);
+	const Diagnostic wrong = problem_of("One man,5\nOne woman,-2\n");
+	CHECK(wrong.id == "negative-count");
+	CHECK(wrong.line == 2);
+	CHECK(problem_of("One man,5,7\nOne woman,2,7\n").id == "missing-column");
 }

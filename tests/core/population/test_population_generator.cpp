@@ -5,6 +5,7 @@
 
 #include "core/io/household_csv.h"
 #include "core/population/alias_table.h"
+#include "core/population/crowded_homes.h"
 #include "core/population/household_draw.h"
 #include "core/population/names.h"
 #include "core/population/population_generator.h"
@@ -28,8 +29,9 @@ CityModel city_of(size_t homes, uint32_t capacity) {
 }
 
 HouseholdTable table_of(std::string_view text) {
-	const Result<HouseholdTable> table = parse_household_table(text, "table.csv");
-	REQUIRE(table.is_ok());
+	Diagnostics diagnostics;
+	const std::optional<HouseholdTable> table = parse_household_table(text, "table.csv", diagnostics);
+	REQUIRE(table.has_value());
 	return *table;
 }
 
@@ -59,12 +61,12 @@ TEST_CASE("the alias table draws in proportion and never what does not occur") {
 
 TEST_CASE("over 100,000 households the drawn shares match the table") {
 	for (const char *file : { "rules/data/households_us_acs2023.csv", "rules/data/households_madrid_2001.csv" }) {
-		const Result<HouseholdTable> table = read_household_table(file);
-		REQUIRE(table.is_ok());
+		Diagnostics diagnostics;
+		const std::optional<HouseholdTable> table = read_household_table(file, diagnostics);
+		REQUIRE(table.has_value());
 		PopulationOptions options;
 		options.seed = 5;
 		options.households = 100'000;
-		Diagnostics diagnostics;
 		const Population population = generate_population(*table, city_of(1000, 2000), options, diagnostics);
 		CHECK(diagnostics.is_empty());
 		REQUIRE(population.households.size() == 100'000);
@@ -117,11 +119,11 @@ TEST_CASE("members are as the pattern says, adults first, somebody always 18 or 
 }
 
 TEST_CASE("the number of persons asked for is met, and the same seed gives the same people") {
-	const Result<HouseholdTable> table = read_household_table("rules/data/households_us_acs2023.csv");
-	REQUIRE(table.is_ok());
+	Diagnostics diagnostics;
+	const std::optional<HouseholdTable> table = read_household_table("rules/data/households_us_acs2023.csv", diagnostics);
+	REQUIRE(table.has_value());
 	PopulationOptions options;
 	options.persons = 600;
-	Diagnostics diagnostics;
 	const CityModel city = city_of(300, 6);
 	const Population population = generate_population(*table, city, options, diagnostics);
 	CHECK(population.persons.size() == 600);
@@ -205,7 +207,7 @@ TEST_CASE("households larger than any home are drawn again, with one warning") {
 	CHECK(diagnostics.list()[0].id == "homes-too-small");
 }
 
-TEST_CASE("a city without homes is an error, and nobody to house is nobody") {
+TEST_CASE("a city without homes is a warning with both figures, and nobody to house is nobody") {
 	Diagnostics diagnostics;
 	PopulationOptions options;
 	const HouseholdTable table = table_of("descriptor,count\nOne man,1\n");
@@ -213,8 +215,48 @@ TEST_CASE("a city without homes is an error, and nobody to house is nobody") {
 	CHECK(diagnostics.is_empty());
 	options.persons = 10;
 	CHECK(generate_population(table, CityModel(), options, diagnostics).persons.empty());
-	REQUIRE(diagnostics.error_count() == 1);
+	CHECK(diagnostics.error_count() == 0);
+	REQUIRE(diagnostics.warning_count() == 1);
 	CHECK(diagnostics.list()[0].id == "no-homes");
+	CHECK(diagnostics.list()[0].message ==
+			"10 persons, but the homes of the city take 0, for no building has an entrance of type 'house': all 10 were left out");
+	options.persons = 0;
+	options.households = 7;
+	Diagnostics of_households;
+	CHECK(generate_population(table_of("descriptor,count\nCouple with one child,1\n"), CityModel(), options, of_households).persons.empty());
+	REQUIRE(of_households.list().size() == 1);
+	CHECK(of_households.list()[0].message.starts_with("21 persons, but the homes of the city take 0"));
+}
+
+TEST_CASE("people who were put into a full home by hand live there, with a warning that tells both figures") {
+	Population population;
+	for (const uint16_t members : { 4, 9, 5 }) {
+		Household household;
+		household.home = BuildingId(uint32_t(population.households.size()));
+		household.member_count = members;
+		population.households.push_back(household);
+	}
+	const CityModel city = city_of(3, 5);
+	FileIds buildings;
+	for (const int64_t number : { 10, 20, 30 }) {
+		buildings.add(number);
+	}
+	Diagnostics diagnostics;
+	warn_of_crowded_homes(population, city, { .buildings = &buildings }, diagnostics);
+	REQUIRE(diagnostics.list().size() == 1);
+	CHECK(diagnostics.warning_count() == 1);
+	CHECK(diagnostics.list()[0].id == "crowded-home");
+	CHECK(diagnostics.list()[0].message == "9 persons live in building 20, which takes 5");
+	population.households.push_back(population.households[2]); // ten in all
+	Diagnostics two;
+	warn_of_crowded_homes(population, city, { .buildings = &buildings }, two);
+	REQUIRE(two.list().size() == 1);
+	CHECK(two.list()[0].message == "10 persons live in building 30, which takes 5; 1 more home is too small");
+	Diagnostics none;
+	warn_of_crowded_homes(population, city_of(3, 10), {}, none);
+	population.home_type = "flat"; // nobody says how many live behind another door
+	warn_of_crowded_homes(population, city, {}, none);
+	CHECK(none.is_empty());
 }
 
 TEST_CASE("walking speeds are those of the sources") {

@@ -81,11 +81,11 @@ void read_attribute(std::istringstream &line, RuleTest &test) {
 	char *end = nullptr;
 	const double number = std::strtod(value.c_str(), &end);
 	if (*end == '\0') {
-		test.shape.attributes.emplace_back(name, number);
+		test.shape.attributes.push_back({ name, number });
 	} else if (value == "true" || value == "false") {
-		test.shape.attributes.emplace_back(name, value == "true");
+		test.shape.attributes.push_back({ name, value == "true" });
 	} else {
-		test.shape.attributes.emplace_back(name, value);
+		test.shape.attributes.push_back({ name, value });
 	}
 }
 

@@ -65,7 +65,7 @@ DerivationResult derive_at(const Program &program, InitialShape shape, int lod) 
 	static const FileAssets assets; // pictures
 	DeriveOptions options;
 	options.assets = &assets;
-	shape.attributes.emplace_back("lod", double(lod));
+	shape.attributes.push_back({ "lod", double(lod) });
 	return derive(program, shape, options);
 }
 

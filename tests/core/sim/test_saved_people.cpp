@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include "core/population/names.h"
 #include "core/sim/saved_people.h"
 #include "tests/core/sim/random_town.h"
 
@@ -12,6 +13,8 @@ void fill(Town &town) {
 	fill_at_random(town, 2);
 	add_rules_at_random(town, 2);
 	town.population.home_type = "flat";
+	town.population.names = { "Zsófia" };
+	town.population.persons[0].name = uint32_t(first_names(town.population.persons[0].gender).size());
 	town.simulate();
 	town.agendas.names = { "", "shopping" };
 	town.agendas.requirements = { {}, { 1, true, 0 } };
@@ -35,6 +38,7 @@ TEST_CASE("people and agendas come back as they were, with what was changed") {
 	REQUIRE(people_from_bytes(bytes, people));
 	CHECK(people_to_bytes(people.population, people.agendas) == bytes);
 	CHECK(people.population.home_type == "flat");
+	CHECK(first_name(people.population, PersonId(0)) == "Zsófia");
 	CHECK(people.population.persons.size() == town.population.persons.size());
 	CHECK(people.population.persons[3].walking_speed == town.population.persons[3].walking_speed);
 	CHECK(people.population.home_of(PersonId(4)) == town.population.home_of(PersonId(4)));
@@ -66,6 +70,8 @@ TEST_CASE("people that contradict themselves are refused") {
 	CHECK(is_refused([](Population &people, AgendaSet &) { people.persons[2].household = HouseholdId(99); }));
 	CHECK(is_refused([](Population &people, AgendaSet &) { people.persons[2].walking_speed = 0.0f; }));
 	CHECK(is_refused([](Population &people, AgendaSet &) { people.persons[2].name = 1'000'000; }));
+	CHECK(is_refused([](Population &people, AgendaSet &) { people.names.clear(); }));
+	CHECK(is_refused([](Population &people, AgendaSet &) { people.households[1].family_name = 1'000'000; }));
 	CHECK(is_refused([](Population &people, AgendaSet &) { ++people.households[1].member_count; }));
 	CHECK(is_refused([](Population &people, AgendaSet &) { people.persons.pop_back(); }));
 	CHECK(is_refused([](Population &, AgendaSet &agendas) { agendas.first_task[1] = 99'999; }));

@@ -81,6 +81,30 @@ TEST_CASE("after loading the future is the same as without, at any time of rando
 	CHECK(seen.events > 3000);
 }
 
+TEST_CASE("attributes that the host set are kept, for the rules that run later") {
+	Town town;
+	const BuildingId home = town.building("house", 0.0f), shop = town.building("shop", 60.0f);
+	town.household(home);
+	const PersonId otto = town.person();
+	town.rules("Errand attr pause = 1h attr where = \"house\" attr goes = false Errand --> wait(pause) case goes: goToBuilding(findBuilding(where))");
+	town.delayed(otto, at(8), at(20), "Errand");
+	SimulationSettings settings;
+	settings.overrides = { { "pause", 7200.0 }, { "where", "shop" }, { "goes", true } };
+	Simulation &original = town.simulate(settings);
+	original.start(moment(0, 6));
+	const std::string bytes = original.save();
+	Simulation &loaded = town.simulate();
+	Diagnostics diagnostics;
+	REQUIRE(loaded.restore(bytes, diagnostics));
+	CHECK(loaded.settings().overrides.size() == 3);
+	CHECK(loaded.save() == bytes);
+	Recorder recorder;
+	loaded.add_observer(recorder);
+	loaded.advance_to(moment(0, 11));
+	CHECK(recorder.has("10:00:00 0 set-out building " + std::to_string(index_of(shop))));
+	loaded.remove_observer(recorder);
+}
+
 TEST_CASE("a simulation that runs takes an older state, with what the game had changed") {
 	Town town;
 	fill(town, 3);

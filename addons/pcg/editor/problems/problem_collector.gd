@@ -47,8 +47,9 @@ func collect() -> void:
 func _append_inputs(found: Array[Dictionary], citizens: CitizenManager) -> void:
 	if citizens.rules and not _of_files.has(citizens.rules.get_file()):
 		_append(found, citizens.rules.get_diagnostics(), citizens)
-	if citizens.household_table:
-		_append(found, citizens.household_table.get_diagnostics(), citizens)
+	for table: PCGTextFile in [citizens.household_table, citizens.population]:
+		if table:
+			_append(found, table.get_diagnostics(), citizens)
 
 
 func _follow(node: Node, signal_name: StringName) -> void:

@@ -7,11 +7,9 @@ namespace pcg::agenda {
 
 namespace {
 
-BuildingId building_of(const Context &context, double number) { return to_id<BuildingId>(number, context.city().buildings().size()); }
-
 double distance(const Context &context, const Args &args) {
-	const BuildingId from = building_of(context, args.number(0));
-	const BuildingId to = building_of(context, args.number(1));
+	const BuildingId from = context.building_of(args.number(0));
+	const BuildingId to = context.building_of(args.number(1));
 	if (!is_valid(from) || !is_valid(to)) {
 		return std::numeric_limits<double>::infinity();
 	}
@@ -32,17 +30,17 @@ Value find_building(Vm &vm, const Args &args) {
 	Context &context = context_of(vm);
 	const TypeId type = context.find_type(vm, *args[0].text, TypeUse::Building);
 	const std::vector<BuildingId> &buildings = context.city().buildings_of_type(type);
-	return Value::of(buildings.empty() ? -1.0 : to_number(buildings[vm.random().index(buildings.size())]));
+	return Value::of(buildings.empty() ? -1.0 : context.number_of(buildings[vm.random().index(buildings.size())]));
 }
 
 Value find_nearest_building(Vm &vm, const Args &args) {
 	Context &context = context_of(vm);
 	const TypeId type = context.find_type(vm, *args[0].text, TypeUse::Building);
-	const BuildingId from = building_of(context, args.number(1));
+	const BuildingId from = context.building_of(args.number(1));
 	if (!is_valid(type) || !is_valid(from)) {
 		return Value::of(-1.0);
 	}
-	return Value::of(to_number(context.paths().nearest_building(type, from)));
+	return Value::of(context.number_of(context.paths().nearest_building(type, from)));
 }
 
 Value is_valid_id(Vm &, const Args &args) { return Value::of(std::isfinite(args.number(0)) && args.number(0) >= 0.0); }

@@ -76,7 +76,7 @@ Value choose_member(Vm &vm, const Args &args) {
 			choice.offer(member, value.number, vm.random());
 		}
 	}
-	return Value::of(to_number(choice.chosen()));
+	return Value::of(context.number_of(choice.chosen()));
 }
 
 } // namespace

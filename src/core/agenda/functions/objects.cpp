@@ -18,7 +18,7 @@ template <typename Test> Value pick(Vm &vm, const std::vector<ObjectId> &objects
 	size_t chosen = vm.random().index(count);
 	for (ObjectId id : objects) {
 		if (is_candidate(id) && chosen-- == 0) {
-			return Value::of(to_number(id));
+			return Value::of(context_of(vm).number_of(id));
 		}
 	}
 	return Value::of(-1.0);

@@ -4,9 +4,9 @@ namespace pcg::agenda {
 
 namespace {
 
-Value home(Vm &vm) { return Value::of(to_number(context_of(vm).household().home)); }
-Value household_id(Vm &vm) { return Value::of(to_number(context_of(vm).household_id())); }
-Value person_id(Vm &vm) { return Value::of(to_number(context_of(vm).focus())); }
+Value home(Vm &vm) { return Value::of(context_of(vm).number_of(context_of(vm).household().home)); }
+Value household_id(Vm &vm) { return Value::of(context_of(vm).number_of(context_of(vm).household_id())); }
+Value person_id(Vm &vm) { return Value::of(context_of(vm).number_of(context_of(vm).focus())); }
 
 Value age(Vm &vm) {
 	if (!require_focus(vm, "age")) {

@@ -11,14 +11,14 @@ Flow insert_building_entry(Vm &vm, const Args &args, std::string_view operation,
 	if (context == nullptr) {
 		return Flow::Next;
 	}
-	const BuildingId building = to_id<BuildingId>(args.number(2), context->city().buildings().size());
+	const BuildingId building = context->building_of(args.number(2));
 	if (is_valid(building)) {
 		return context->insert(vm, operation, kind, args.number(0), args.number(1), index_of(building));
 	}
 	if (!require_focus(vm, operation)) {
 		return Flow::Stop;
 	}
-	CallProblem problem = no_building(operation);
+	CallProblem problem = no_building(operation, args.number(2));
 	vm.warn(problem.id, std::move(problem.message), std::move(problem.hint));
 	return Flow::Next;
 }

@@ -38,9 +38,13 @@ std::optional<CallProblem> duration_problem(double duration, double priority) {
 		"the duration is the first argument, in seconds: floatingTask(20m, Rule)" };
 }
 
-CallProblem no_building(std::string_view operation) {
-	return { "no-building", "'" + std::string(operation) + "' is given no building, so nothing is inserted",
-		"a building that is not found is -1: test it with isValid(..) first" };
+CallProblem no_building(std::string_view operation, double number) {
+	const std::string name = "'" + std::string(operation) + "'";
+	if (number == -1.0) {
+		return { "no-building", name + " is given no building, so nothing is inserted", "a building that is not found is -1: test it with isValid(..) first" };
+	}
+	return { "no-building", name + " is given " + value_text(Value::of(number)) + ", which is no building of the city, so nothing is inserted",
+		"buildings have the ids of the city's file: write one of them, or find one by its type, as in findBuilding(\"school\")" };
 }
 
 std::optional<CallProblem> check_times(std::string_view operation, std::span<const Value> constants) {
@@ -50,7 +54,7 @@ std::optional<CallProblem> check_times(std::string_view operation, std::span<con
 
 std::optional<CallProblem> check_building_entry(std::string_view operation, std::span<const Value> constants) {
 	if (constants.size() >= 3 && constants[2].is_number() && !(constants[2].number >= 0.0)) {
-		return no_building(operation);
+		return no_building(operation, constants[2].number);
 	}
 	return check_times(operation, constants);
 }

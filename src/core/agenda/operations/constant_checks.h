@@ -12,7 +12,7 @@ namespace pcg::agenda {
 // Of start and end in seconds of the day. An entry of more than a day is cut, with all others nothing is inserted.
 std::optional<CallProblem> times_problem(std::string_view operation, double start, double end);
 std::optional<CallProblem> duration_problem(double duration, double priority);
-CallProblem no_building(std::string_view operation);
+CallProblem no_building(std::string_view operation, double number);
 
 // For OperationSpec::check.
 std::optional<CallProblem> check_times(std::string_view operation, std::span<const Value> constants); // (t0, t1, ..)

@@ -34,7 +34,7 @@ public:
 			chosen = { true, value.number };
 			check_member(value.number);
 		}
-		return chosen.id == to_number(member);
+		return chosen.id == context_of(_vm).number_of(member);
 	}
 
 private:
@@ -45,8 +45,11 @@ private:
 
 	void check_member(double number) {
 		const Context &context = context_of(_vm);
-		const double first = to_number(context.household().first_member);
-		if (number != -1.0 && (!(number >= first) || !(number < first + double(context.member_count())))) {
+		bool is_member = number == -1.0;
+		for (size_t i = 0; i < context.member_count() && !is_member; ++i) {
+			is_member = number == context.number_of(context.member(i));
+		}
+		if (!is_member) {
 			_vm.warn("no-member", "this condition of 'members' is a number that is no member's id, so it matches nobody",
 					"write a comparison, as in age < 18, or chooseMember(..)");
 		}
