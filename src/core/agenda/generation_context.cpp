@@ -145,7 +145,8 @@ uint8_t GenerationContext::number_of(Vm &vm, const Requirement &requirement) {
 }
 
 void GenerationContext::drop_unmet_tasks() {
-	if (!_has_requirements && _groups.empty()) {
+	const bool is_called_away = has_lost_joiners();
+	if (!_has_requirements && !is_called_away) {
 		return;
 	}
 	_agendas.clear();
@@ -155,16 +156,27 @@ void GenerationContext::drop_unmet_tasks() {
 	for (const DroppedTask &dropped : drop_unmet({ household().first_member, _agendas, _groups }, _named_tasks, _requirements)) {
 		report_dropped(dropped);
 	}
-	cut_out_joiners();
+	for (uint32_t number = 0; number < _groups.size() && is_called_away; ++number) {
+		std::erase_if(_groups[number].joiners, [&](PersonId joiner) { return !has_walk(joiner, number, 0); });
+	}
 }
 
-// Of groups those whom newer entries called away on all days.
-void GenerationContext::cut_out_joiners() {
+// In one piece on at least these days.
+bool GenerationContext::has_walk(PersonId member, uint32_t group, DayMask days) {
+	return std::ranges::any_of(agenda_of(member).tasks(), [&](const Task &task) {
+		return task.kind == TaskKind::Accompany && task.target == group && (task.days & days) == days;
+	});
+}
+
+// Whether a newer entry may have called anybody away from its group.
+bool GenerationContext::has_lost_joiners() {
 	for (uint32_t number = 0; number < _groups.size(); ++number) {
-		std::erase_if(_groups[number].joiners, [&](PersonId joiner) {
-			return std::ranges::none_of(agenda_of(joiner).tasks(), [&](const Task &task) { return task.kind == TaskKind::Accompany && task.target == number; });
-		});
+		const Group &group = _groups[number];
+		if (!std::ranges::all_of(group.joiners, [&](PersonId joiner) { return has_walk(joiner, number, group.days); })) {
+			return true;
+		}
 	}
+	return false;
 }
 
 void GenerationContext::report_dropped(const DroppedTask &dropped) {

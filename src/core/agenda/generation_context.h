@@ -65,7 +65,8 @@ private:
 
 	void insert_named_task(PersonId member, Task task);
 	void report_dropped(const DroppedTask &dropped);
-	void cut_out_joiners();
+	bool has_lost_joiners();
+	bool has_walk(PersonId member, uint32_t group, DayMask days);
 	size_t index_in_household(PersonId member) const { return index_of(member) - index_of(household().first_member); }
 
 	std::vector<Member> _members; // at least as many as the household has

@@ -287,6 +287,25 @@ uint32_t Compiler::block(uint32_t id, BlockKind kind) {
 	return index;
 }
 
+// False: what stands there is the condition alone, and not a command that could be wrong.
+bool Compiler::check_head(const AstEntry &source, BlockKind kind) {
+	const bool has_head = source.head != no_node;
+	if (source.depth != no_node && kind == BlockKind::Predicates) {
+		complain("unexpected-depth", _scope.ast->exprs[source.depth].offset, "a second `:` means something in blocks of sizes only");
+	}
+	if (has_head && kind == BlockKind::Bodies) {
+		complain("unexpected-head", source.offset, "nothing is selected here: this block holds commands only");
+	}
+	if (has_head || (kind != BlockKind::Predicates && kind != BlockKind::Selectors)) {
+		return true;
+	}
+	const bool is_condition = kind == BlockKind::Predicates;
+	complain("missing-head", source.offset,
+			is_condition ? "a condition and `:` belong in front of the commands" : "a selector and `:` belong in front of the commands",
+			is_condition ? "for everybody: { true: .. }" : "for all: { all: .. }");
+	return !is_strict() || _has_value_blocks || !is_value_alone(source.body);
+}
+
 BlockEntry Compiler::block_entry(const AstEntry &source, BlockKind kind) {
 	BlockEntry entry;
 	entry.place = place(source.offset);
@@ -302,19 +321,8 @@ BlockEntry Compiler::block_entry(const AstEntry &source, BlockKind kind) {
 			: source.separator == TokenKind::ConnectedAssign ? BlockEntry::Separator::Connected
 															 : BlockEntry::Separator::Each;
 	const bool has_head = source.head != no_node;
-	if (has_head && kind == BlockKind::Bodies) {
-		complain("unexpected-head", source.offset, "nothing is selected here: this block holds commands only");
-	} else if (!has_head && (kind == BlockKind::Predicates || kind == BlockKind::Selectors)) {
-		complain("missing-head", source.offset,
-				kind == BlockKind::Predicates ? "a condition and `:` belong in front of the commands"
-											  : "a selector and `:` belong in front of the commands",
-				kind == BlockKind::Predicates ? "for everybody: { true: .. }" : "for all: { all: .. }");
-		if (is_strict() && is_value_alone(source.body)) {
-			return entry; // the condition is there, and not a command that could be wrong
-		}
-	}
-	if (source.depth != no_node && kind == BlockKind::Predicates) {
-		complain("unexpected-depth", _scope.ast->exprs[source.depth].offset, "a second `:` means something in blocks of sizes only");
+	if (!check_head(source, kind)) {
+		return entry;
 	}
 	if (source.depth != no_node) {
 		entry.depth = value_chunk(source.depth, true);

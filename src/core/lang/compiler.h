@@ -163,6 +163,7 @@ private:
 	uint32_t block(uint32_t block, BlockKind kind);
 	BlockEntry block_entry(const AstEntry &entry, BlockKind kind);
 	bool is_value_alone(uint32_t body) const;
+	bool check_head(const AstEntry &entry, BlockKind kind);
 	BlockEntry entry_with_head(const AstEntry &entry, BlockKind kind);
 	Chunk missing_size(const AstEntry &entry);
 	bool is_older_than(double version) const; // the file that is being compiled
