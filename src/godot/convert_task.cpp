@@ -51,10 +51,11 @@ Dictionary to_godot(const Task &task, const AgendaSet &agendas, const Program &p
 		entry["delayed_rule"] = to_godot(std::string_view(program.rules[task.target].name));
 	} else if (task.kind == TaskKind::Accompany) {
 		PackedInt32Array joiners;
-		for (const PersonId joiner : agendas.groups[task.target].joiners) {
+		const Group &group = agendas.groups[task.target];
+		for (const PersonId joiner : joiners_on(agendas, task.target, set_out_days(group, task))) {
 			joiners.push_back(int32_t(index_of(joiner)));
 		}
-		entry["leader"] = int64_t(index_of(agendas.groups[task.target].leader));
+		entry["leader"] = int64_t(index_of(group.leader));
 		entry["joiners"] = joiners;
 	}
 	if (task.name != 0) {

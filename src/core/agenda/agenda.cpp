@@ -236,4 +236,18 @@ std::span<const Task> AgendaView::changed_on(int64_t day) const {
 	return found != single_days.end() && found->day == day ? std::span<const Task>(found->tasks) : week;
 }
 
+std::vector<PersonId> joiners_on(const AgendaSet &agendas, uint32_t group, DayMask days, PersonId first) {
+	const Group &plan = agendas.groups[group];
+	std::vector<PersonId> result;
+	for (PersonId joiner : plan.joiners) {
+		const std::span<const Task> tasks = agendas.tasks_of(PersonId(index_of(joiner) - index_of(first)));
+		if (std::any_of(tasks.begin(), tasks.end(), [&](const Task &task) {
+				return task.kind == TaskKind::Accompany && task.target == group && (set_out_days(plan, task) & days) != 0;
+			})) {
+			result.push_back(joiner);
+		}
+	}
+	return result;
+}
+
 } // namespace pcg

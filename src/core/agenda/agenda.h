@@ -63,6 +63,12 @@ struct Group {
 	DayMask days = all_days;
 };
 
+// The days on which the group sets out whose walk this entry, or what newer entries left of it, is a part of: what begins behind midnight may be of the
+// evening before.
+inline DayMask set_out_days(const Group &group, const Task &walk) {
+	return walk.start_ms < group.start_ms ? rotate_days(walk.days, -1) : walk.days;
+}
+
 // Where an entry came from: the call in the rule file. For the inspector's "why".
 struct TaskOrigin {
 	std::string rule;
@@ -100,6 +106,11 @@ struct AgendaView {
 
 	std::span<const Task> changed_on(int64_t day) const; // the same; the slow way
 };
+
+struct AgendaSet;
+
+// Those who walk with the leader of a group on any of these days of its setting out; newer entries may have called joiners away. `first`: whom the set counts from.
+std::vector<PersonId> joiners_on(const AgendaSet &agendas, uint32_t group, DayMask days, PersonId first = PersonId{ 0 });
 
 // Agendas of a whole population, one behind the other.
 struct AgendaSet {

@@ -63,7 +63,7 @@ public:
 		if (task.name != 0) {
 			named.push_back({ person, normalized(task) });
 		}
-		return set.requirements.empty() ? std::vector<DroppedTask>() : drop_unmet({ _first, _pointers, set.groups }, named, set.requirements);
+		return drop_unmet({ _first, _pointers, set.groups }, named, set.requirements);
 	}
 
 	std::span<const Task> tasks_of(size_t member) const { return _agendas[member].tasks(); }

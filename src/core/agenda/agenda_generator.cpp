@@ -132,27 +132,25 @@ AgendaSet empty_agendas(size_t persons) {
 }
 
 RuleId find_start(const Program &program, const AgendaOptions &options, Diagnostics &diagnostics) {
-	const RuleId start = options.start_rule.empty() ? program.start_rule : program.find_rule(options.start_rule);
+	if (options.start_rule.empty()) {
+		return require_start_rule(program, diagnostics);
+	}
+	const RuleId start = program.find_rule(options.start_rule);
 	if (is_valid(start)) {
 		return start;
 	}
+	std::vector<std::string_view> names;
+	for (const RuleInfo &rule : program.rules) {
+		if (rule.params.empty()) {
+			names.push_back(rule.name);
+		}
+	}
+	const std::string_view closest = closest_name(options.start_rule, names);
 	Diagnostic missing;
 	missing.id = "no-start-rule";
 	missing.file = program.files.empty() ? std::string() : program.files[0];
-	if (options.start_rule.empty()) {
-		missing.message = "the rules mark no rule as the start";
-		missing.hint = "write @StartRule before the rule that a household begins with";
-	} else {
-		std::vector<std::string_view> names;
-		for (const RuleInfo &rule : program.rules) {
-			if (rule.params.empty()) {
-				names.push_back(rule.name);
-			}
-		}
-		const std::string_view closest = closest_name(options.start_rule, names);
-		missing.message = "the rules have no rule '" + options.start_rule + "' without parameters to start with";
-		missing.hint = closest.empty() ? "name another start rule, or none for the one that is marked @StartRule" : "did you mean '" + std::string(closest) + "'?";
-	}
+	missing.message = "the rules have no rule '" + options.start_rule + "' without parameters to start with";
+	missing.hint = closest.empty() ? "name another start rule, or none for the one that is marked @StartRule" : "did you mean '" + std::string(closest) + "'?";
 	diagnostics.add(std::move(missing));
 	return start;
 }

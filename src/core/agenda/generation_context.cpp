@@ -145,27 +145,52 @@ uint8_t GenerationContext::number_of(Vm &vm, const Requirement &requirement) {
 }
 
 void GenerationContext::drop_unmet_tasks() {
-	if (!_has_requirements) {
+	const bool is_called_away = has_lost_joiners();
+	if (!_has_requirements && !is_called_away) {
 		return;
 	}
-	std::vector<Agenda *> agendas;
+	_agendas.clear();
 	for (size_t i = 0; i < member_count(); ++i) {
-		agendas.push_back(&_members[i].agenda);
+		_agendas.push_back(&_members[i].agenda);
 	}
-	for (const DroppedTask &dropped : drop_unmet({ household().first_member, agendas, _groups }, _named_tasks, _requirements)) {
+	for (const DroppedTask &dropped : drop_unmet({ household().first_member, _agendas, _groups }, _named_tasks, _requirements)) {
 		report_dropped(dropped);
+	}
+	for (uint32_t number = 0; number < _groups.size() && is_called_away; ++number) {
+		std::erase_if(_groups[number].joiners, [&](PersonId joiner) { return !has_walk(joiner, number, 0); });
 	}
 }
 
+// In one piece on at least these days.
+bool GenerationContext::has_walk(PersonId member, uint32_t group, DayMask days) {
+	return std::ranges::any_of(agenda_of(member).tasks(), [&](const Task &task) {
+		return task.kind == TaskKind::Accompany && task.target == group && (task.days & days) == days;
+	});
+}
+
+// Whether a newer entry may have called anybody away from its group.
+bool GenerationContext::has_lost_joiners() {
+	for (uint32_t number = 0; number < _groups.size(); ++number) {
+		const Group &group = _groups[number];
+		if (!std::ranges::all_of(group.joiners, [&](PersonId joiner) { return has_walk(joiner, number, group.days); })) {
+			return true;
+		}
+	}
+	return false;
+}
+
 void GenerationContext::report_dropped(const DroppedTask &dropped) {
+	const bool is_deserted = dropped.reason == Unmet::Deserted;
 	const std::string name = "'" + _names[dropped.name] + "'";
 	const std::string reason = dropped.reason == Unmet::Lost ? "newer entries took " + name + " away"
 			: dropped.reason == Unmet::NotOver				  ? name + " is not over by then"
+			: is_deserted									  ? "newer entries called everybody away who was to come along"
 															  : "nobody there has " + name;
-	report(diagnostic_at(*world().program, dropped.task.origin, Severity::Warning, "requirement-unmet",
+	report(diagnostic_at(*world().program, dropped.task.origin, Severity::Warning, is_deserted ? deserted_id : requirement_unmet_id,
 			name_of(dropped.person) + " drops '" + std::string(task_kind_name(dropped.task.kind)) + "' at " +
 					clock_text(dropped.task.start(), false) + " (" + days_text(dropped.task.days) + "): " + reason,
-			"what is written later wins: write the entry that is required last, or at another time"));
+			is_deserted ? "what is written later wins: write the walk that is meant last, or for others"
+						: "what is written later wins: write the entry that is required last, or at another time"));
 }
 
 Value GenerationContext::day(Vm &vm) {

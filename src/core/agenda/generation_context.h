@@ -33,7 +33,7 @@ public:
 	uint8_t number_of(Vm &vm, const Requirement &requirement);
 	const std::vector<std::string> &names() const { return _names; }
 	const std::vector<Requirement> &requirements() const { return _requirements; }
-	// Takes out what requires entries that newer ones took away, and reports it.
+	// Takes out what requires entries that newer ones took away, and walks of leaders with whom nobody is left to go, and reports it.
 	void drop_unmet_tasks();
 
 	Agenda &agenda_of(PersonId member) { return _members[index_in_household(member)].agenda; }
@@ -65,9 +65,12 @@ private:
 
 	void insert_named_task(PersonId member, Task task);
 	void report_dropped(const DroppedTask &dropped);
+	bool has_lost_joiners();
+	bool has_walk(PersonId member, uint32_t group, DayMask days);
 	size_t index_in_household(PersonId member) const { return index_of(member) - index_of(household().first_member); }
 
 	std::vector<Member> _members; // at least as many as the household has
+	std::vector<Agenda *> _agendas; // of the household's members
 	std::vector<Group> _groups;
 	std::vector<Diagnostic> _diagnostics;
 	std::vector<std::string> _names{ "" };

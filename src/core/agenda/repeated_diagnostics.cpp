@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/agenda/context.h"
+#include "core/agenda/requirement.h"
 
 namespace pcg {
 
@@ -26,8 +27,8 @@ void RepeatedDiagnostics::tell(Diagnostics &diagnostics) {
 		if (is_warning && is_known) {
 			continue;
 		}
-		// Of a warning an interpreter tells only the first; these two are all told.
-		const bool is_counted = !is_warning || one.first.id == "requirement-unmet";
+		// Of a warning an interpreter tells only the first; these are all told.
+		const bool is_counted = !is_warning || one.first.id == requirement_unmet_id || one.first.id == deserted_id;
 		if (one.repeats > 0 && is_counted) {
 			one.first.message += ", and the same " + std::to_string(one.repeats) + (one.repeats == 1 ? " time more" : " times more");
 		}

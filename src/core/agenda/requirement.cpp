@@ -24,13 +24,43 @@ public:
 
 	// What is dropped may be required itself: until nothing changes any more.
 	std::vector<DroppedTask> run() {
-		while (drop_one()) {
+		while (drop_deserted() || (!_requirements.empty() && drop_one())) {
 		}
 		return std::move(_dropped);
 	}
 
 private:
 	PersonId person_of(size_t member) const { return PersonId(index_of(_household.first_member) + uint32_t(member)); }
+
+	bool drop_deserted() {
+		for (size_t member = 0; member < _household.members.size(); ++member) {
+			const std::vector<Task> &tasks = _household.members[member]->tasks();
+			for (size_t i = 0; i < tasks.size(); ++i) {
+				const Group *group = group_of(tasks[i]);
+				const bool leads = group != nullptr && group->leader == person_of(member);
+				const DayMask lonely = leads ? set_out_days(*group, tasks[i]) & DayMask(~joiner_days(*group, tasks[i].target)) : DayMask(0);
+				if (lonely != 0) {
+					DroppedTask dropped{ group->leader, tasks[i], Unmet::Deserted, 0, std::nullopt };
+					dropped.task.days = rotate_days(lonely, tasks[i].start_ms < group->start_ms ? 1 : 0);
+					_household.members[member]->remove(i, dropped.task.days);
+					_dropped.push_back(dropped);
+					return true;
+				}
+			}
+		}
+		return false;
+	}
+
+	// On which any joiner is left, as days of the group.
+	DayMask joiner_days(const Group &group, uint32_t number) const {
+		DayMask days = 0;
+		for (PersonId joiner : group.joiners) {
+			for (const Task &task : _household.of(joiner).tasks()) {
+				days |= is_walk(task, number) ? set_out_days(group, task) : DayMask(0);
+			}
+		}
+		return days;
+	}
 
 	bool drop_one() {
 		for (size_t member = 0; member < _household.members.size(); ++member) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "core/agenda/agenda.h"
@@ -34,19 +35,24 @@ struct NamedTask {
 	Task task;
 };
 
+// Ids of the warnings that tell of them, each of which is told of every household.
+constexpr std::string_view requirement_unmet_id = "requirement-unmet";
+constexpr std::string_view deserted_id = "group-deserted";
+
 enum class Unmet : uint8_t {
 	No,
 	Missing, // nobody of the household had an entry of that name
 	Lost, // newer entries took it away, or its end
 	NotOver, // it is not over when the requiring entry begins
+	Deserted, // a leader's walk together: newer entries called everybody away who was to come along
 };
 
-// An entry that was taken out because it requires what is not there.
+// An entry that was taken out because what it needs is not there.
 struct DroppedTask {
 	PersonId person = PersonId::Invalid;
 	Task task; // its days are those on which it was dropped
 	Unmet reason = Unmet::No;
-	uint16_t name = 0; // of the entry that it required, in AgendaSet::names
+	uint16_t name = 0; // of the entry that it required, in AgendaSet::names; 0: Deserted
 	std::optional<int64_t> day; // the only one on which it was dropped, as SimTime counts; without: every week
 };
 
@@ -59,7 +65,7 @@ struct HouseholdAgendas {
 	Agenda &of(PersonId person) const { return *members[index_of(person) - index_of(first_member)]; }
 };
 
-// Takes out, day by day, what requires an entry that is not lived, and then what required that. The required entry is one written for the same
+// Takes out, day by day, the walks of leaders whom nobody is left to go with, and what requires an entry that is not lived, and then what required that. The required entry is one written for the same
 // day (an entry at 30 h belongs to the day before the morning it begins on); of `after` it is over when the requiring one begins. Whoever
 // has entries of the name needs one of its own, everybody else anybody's in the household. A walk together is lived while the leader and one
 // joiner are left; where a leader's walk falls out the joiners' walks do too, and the leader's with the last joiner's.

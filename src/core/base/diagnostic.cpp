@@ -44,14 +44,23 @@ void append_excerpt(std::string &text, const Diagnostic &diagnostic) {
 	}
 }
 
-// Optimal string alignment distance in half steps: a change of case costs 1, everything else 2.
-size_t edit_distance(std::string_view a, std::string_view b) {
-	std::vector<size_t> before, last(b.size() + 1), row(b.size() + 1);
-	for (size_t j = 0; j <= b.size(); ++j) {
-		last[j] = 2 * j;
+constexpr size_t longest_name = 64; // beyond it no nearest name is looked for
+
+// Optimal string alignment distance in half steps: a change of case or a swap costs 1, everything else 2. Above `most` it may be anything above: there
+// may be a hundred thousand names to look at.
+size_t edit_distance(std::string_view a, std::string_view b, size_t most) {
+	if (2 * (std::max(a.size(), b.size()) - std::min(a.size(), b.size())) > most) {
+		return most + 1;
 	}
+	size_t rows[3][longest_name + 1]; // in turn
+	for (size_t j = 0; j <= b.size(); ++j) {
+		rows[0][j] = 2 * j;
+	}
+	size_t least_before = 0;
 	for (size_t i = 1; i <= a.size(); ++i) {
-		row[0] = 2 * i;
+		const size_t *before = rows[(i + 1) % 3], *last = rows[(i + 2) % 3];
+		size_t *row = rows[i % 3];
+		size_t least = row[0] = 2 * i;
 		for (size_t j = 1; j <= b.size(); ++j) {
 			const char x = a[i - 1], y = b[j - 1];
 			const bool same_letter = std::tolower(static_cast<unsigned char>(x)) == std::tolower(static_cast<unsigned char>(y));
@@ -60,11 +69,14 @@ size_t edit_distance(std::string_view a, std::string_view b) {
 			if (i > 1 && j > 1 && x == b[j - 2] && a[i - 2] == y) {
 				row[j] = std::min(row[j], before[j - 2] + 1);
 			}
+			least = std::min(least, row[j]);
 		}
-		before = last;
-		last = row;
+		if (std::min(least, least_before) > most) { // a swap reaches over one row
+			return most + 1;
+		}
+		least_before = least;
 	}
-	return last[b.size()];
+	return rows[a.size() % 3][b.size()];
 }
 
 // "GoToPark" and "VisitPark" share a word of at least three letters: such names may differ more and still be meant.
@@ -127,6 +139,11 @@ void Diagnostics::add(Diagnostic diagnostic) {
 	}
 }
 
+bool Diagnostics::is_full(Severity severity) const {
+	const auto is_warning = [](const Diagnostic &diagnostic) { return diagnostic.severity == Severity::Warning; };
+	return _list.size() >= _limit && (severity == Severity::Warning || std::none_of(_list.begin(), _list.end(), is_warning));
+}
+
 void Diagnostics::append(const Diagnostics &other) {
 	const size_t left_out_errors =
 			other._errors - size_t(std::count_if(other._list.begin(), other._list.end(),
@@ -165,15 +182,18 @@ std::string_view closest_name(std::string_view name, const std::vector<std::stri
 	// Half steps. A third of the letters may differ (at least one), two thirds where a whole word is shared.
 	size_t best_distance = 0xFFFF;
 	for (std::string_view candidate : candidates) {
-		if (candidate.size() > 64 || name.size() > 64) {
+		if (candidate.size() > longest_name || name.size() > longest_name) {
 			continue;
 		}
 		const size_t letters = shares_a_word(name, candidate) ? name.size() * 2 / 3 : name.size() / 3;
-		const size_t allowed = 2 * (letters > 0 ? letters : 1);
-		const size_t distance = edit_distance(name, candidate);
-		if (distance <= allowed && distance < best_distance) {
+		const size_t allowed = std::min(2 * (letters > 0 ? letters : 1), best_distance - 1);
+		const size_t distance = edit_distance(name, candidate, allowed);
+		if (distance <= allowed) {
 			best_distance = distance;
 			best = candidate;
+		}
+		if (best_distance == 0) {
+			break;
 		}
 	}
 	return best;

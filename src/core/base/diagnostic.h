@@ -44,6 +44,8 @@ public:
 	size_t warning_count() const { return _warnings; }
 	bool has_errors() const { return _errors > 0; }
 	bool is_empty() const { return _errors + _warnings == 0; }
+	// Whether one more would only be counted: its words need no work.
+	bool is_full(Severity severity) const;
 
 private:
 	size_t _limit;

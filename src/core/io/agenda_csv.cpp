@@ -60,7 +60,7 @@ private:
 			if ((task.days >> day) & 1) {
 				begin_row(id, day);
 				_text += seconds_text(task.start_ms) + "," + seconds_text(task.end_ms) + ",";
-				_text += std::string(task_kind_name(task.kind)) + "," + target_text(task) + "," + csv_quoted(detail_text(task)) + "\n";
+				_text += std::string(task_kind_name(task.kind)) + "," + target_text(task) + "," + csv_quoted(detail_text(task, day)) + "\n";
 			}
 		}
 		for (const FloatingTask &task : _agendas.floating_tasks_of(place)) {
@@ -97,7 +97,7 @@ private:
 		return {};
 	}
 
-	std::string detail_text(const Task &task) const {
+	std::string detail_text(Task task, int day) const {
 		if (task.kind == TaskKind::DelayedRule) {
 			return rule_name(task.target);
 		}
@@ -106,7 +106,8 @@ private:
 		}
 		const Group &group = _agendas.groups[task.target];
 		std::string text = "leader " + number_text(_numbers.persons, group.leader) + " joiners";
-		for (PersonId joiner : group.joiners) {
+		task.days = DayMask(1u << day);
+		for (PersonId joiner : joiners_on(_agendas, task.target, set_out_days(group, task), PersonId(_first))) {
 			text += " " + number_text(_numbers.persons, joiner);
 		}
 		return text;

@@ -4,30 +4,36 @@
 // Warnings about what is sound but has no effect. For strict dialects: in CGA hosts start where they like, and there is one phase.
 namespace pcg {
 
-// Everything that `reached` leads to by plain calls.
-void Compiler::spread(std::vector<bool> &reached) const {
-	std::vector<std::vector<uint32_t>> callees(reached.size());
-	std::vector<uint32_t> open;
+// Which rules run in which phase, from the start rule on: plain calls stay in the phase, rules that are given away run in the simulation.
+Compiler::Reached Compiler::reached_rules() const {
+	struct Step {
+		uint32_t rule;
+		bool is_later;
+	};
+	std::vector<std::vector<const Edge *>> callees(_program->rules.size());
 	for (const Edge &edge : _edges) {
-		if (!edge.is_delayed && edge.from != no_node) {
-			callees[edge.from].push_back(edge.to);
+		if (edge.from != no_node) {
+			callees[edge.from].push_back(&edge);
 		}
 	}
-	for (uint32_t rule = 0; rule < reached.size(); ++rule) {
-		if (reached[rule]) {
-			open.push_back(rule);
+	Reached reached{ std::vector<bool>(callees.size()), std::vector<bool>(callees.size()) };
+	std::vector<Step> open;
+	const auto reach = [&](uint32_t rule, bool is_later) {
+		std::vector<bool> &known = is_later ? reached.simulation : reached.generation;
+		if (!known[rule]) {
+			known[rule] = true;
+			open.push_back({ rule, is_later });
 		}
-	}
+	};
+	reach(index_of(_program->start_rule), false);
 	while (!open.empty()) {
-		const uint32_t rule = open.back();
+		const Step step = open.back();
 		open.pop_back();
-		for (uint32_t callee : callees[rule]) {
-			if (!reached[callee]) {
-				reached[callee] = true;
-				open.push_back(callee);
-			}
+		for (const Edge *edge : callees[step.rule]) {
+			reach(edge->to, step.is_later || edge->is_delayed);
 		}
 	}
+	return reached;
 }
 
 void Compiler::warn_at(std::string_view id, const SourcePlace &at, std::string message, std::string hint) {
@@ -65,48 +71,52 @@ Value Compiler::constant_of(Chunk chunk) const {
 	return first.code == OpCode::PushConstant && is_all ? _program->constants[first.operand] : Value();
 }
 
+// What cannot hold whatever happens. Gives the place that it is told at, which is the call's from then on: what it says while it runs is the same.
+uint32_t Compiler::check_constants(uint32_t operation, const Command &command) {
+	const OperationSpec &spec = _dialect.operations[operation];
+	if (spec.check == nullptr || _constant_arguments.empty()) {
+		return command.offset;
+	}
+	std::vector<Value> around;
+	for (const OpenBlock &open : _open_blocks) {
+		if (open.operation == operation) {
+			around.push_back(open.first_argument);
+		}
+	}
+	std::optional<CallProblem> problem = spec.check({ spec.name, _constant_arguments, around });
+	if (!problem) {
+		return command.offset;
+	}
+	const uint32_t at = problem->argument < 0 ? command.offset : _scope.ast->exprs[_scope.ast->list(command.arguments)[size_t(problem->argument)]].offset;
+	warn(problem->id, at, std::move(problem->message), std::move(problem->hint));
+	return at;
+}
+
 void Compiler::warn_unused_and_phases() {
-	std::vector<bool> generation(_program->rules.size()), simulation(_program->rules.size());
 	if (!is_valid(_program->start_rule)) {
 		return; // A library of rules for others.
 	}
-	generation[index_of(_program->start_rule)] = true;
-	spread(generation);
-	// Rules that run later may ask for rules that run later still.
-	for (size_t round = 0; round <= _edges.size(); ++round) {
-		bool has_grown = false;
-		for (const Edge &edge : _edges) {
-			const bool is_reached = edge.from != no_node && (generation[edge.from] || simulation[edge.from]);
-			if (edge.is_delayed && is_reached && !simulation[edge.to]) {
-				simulation[edge.to] = true;
-				has_grown = true;
-			}
-		}
-		if (!has_grown) {
-			break;
-		}
-		spread(simulation);
-	}
+	const Reached reached = reached_rules();
 	for (uint32_t rule = 0; rule < _program->rules.size(); ++rule) {
 		const RuleInfo &info = _program->rules[rule];
-		if (!generation[rule] && !simulation[rule] && info.place.file == 0 && info.name.find('.') == std::string::npos) {
+		if (!reached.generation[rule] && !reached.simulation[rule] && info.place.file == 0 && info.name.find('.') == std::string::npos) {
 			warn_at("unused-rule", info.place, "the rule `" + info.name + "` is never used",
 					"nothing that begins at `" + _program->rules[index_of(_program->start_rule)].name + "` calls it");
 		}
 	}
-	warn_phases(generation, simulation);
+	warn_phases(reached);
 }
 
-void Compiler::warn_phases(const std::vector<bool> &generation, const std::vector<bool> &simulation) {
+void Compiler::warn_phases(const Reached &reached) {
 	for (const OperationUse &use : _uses) {
 		if (use.rule == no_node) {
 			continue;
 		}
 		const OperationSpec &spec = _dialect.operations[use.operation];
-		if (spec.phase == Phase::Generation && simulation[use.rule]) {
+		if (spec.phase == Phase::Generation && reached.simulation[use.rule]) {
 			warn_at("wrong-phase", use.place, "`" + std::string(spec.name) + "` writes agendas: a rule that runs later disregards it",
 					"`" + _program->rules[use.rule].name + "` runs while the simulation does");
-		} else if (spec.phase == Phase::Simulation && generation[use.rule]) {
+		} else if (spec.phase == Phase::Simulation && reached.generation[use.rule]) {
 			warn_at("wrong-phase", use.place, "`" + std::string(spec.name) + "` does nothing while agendas are written",
 					"call it from a rule that is given to delayedRule or floatingTask");
 		}

@@ -167,6 +167,13 @@ void Compiler::set_local(const Command &command) {
 		complain("not-a-name", target.offset, "`set` needs a plain name first", "as in set(time, 5m)");
 		return;
 	}
+	const uint32_t value = _set.find_value(_scope.space, target.name, 0);
+	const bool is_const = value != no_node && is_constant(_definitions[value]);
+	const int variable = value == no_node ? _dialect.find_variable(target.name) : -1;
+	if (is_const || (variable >= 0 && !_dialect.variables[size_t(variable)].is_writable)) {
+		complain("read-only", target.offset, "`" + std::string(target.name) + "` can only be read",
+				is_const ? "it is declared with const" : "the language gives its value: take another name");
+	}
 	expression(list[1]);
 	emit(OpCode::SetSlot, command.offset, -1, slot(target.name));
 }
@@ -191,33 +198,25 @@ void Compiler::operation_call(int operation, const Command &command) {
 	const uint32_t mask = arguments(spec.params, spec.name, command.arguments);
 	const int effect = -int(command.arguments.count);
 	_uses.push_back({ _current_rule, uint32_t(operation), place(command.offset) });
-	check_constants(spec, command.offset);
+	const uint32_t at = check_constants(uint32_t(operation), command);
 	if (spec.block == BlockKind::None) {
 		if (command.block != no_node) {
 			complain("unexpected-block", _scope.ast->blocks[command.block].offset, "`" + std::string(spec.name) + "` takes no { }");
 		}
-		emit(OpCode::CallOperation, command.offset, effect, mask, uint32_t(operation), command.arguments.count);
+		emit(OpCode::CallOperation, at, effect, mask, uint32_t(operation), command.arguments.count);
 		return;
 	}
 	if (command.block == no_node) {
 		complain("missing-block", command.offset, "`" + std::string(spec.name) + "` needs { } behind it");
 		return;
 	}
+	_open_blocks.push_back({ uint32_t(operation), _constant_arguments.empty() ? Value() : _constant_arguments[0] });
 	const uint32_t first = block(command.block, spec.block);
 	const uint32_t second = command.second_block == no_node ? 0 : block(command.second_block, spec.block == BlockKind::Sizes ? BlockKind::Selectors : spec.block) + 1;
-	emit(OpCode::CallBlock, command.offset, effect, first, uint32_t(operation), command.arguments.count);
-	emit(OpCode::Data, command.offset, 0, mask);
-	emit(OpCode::Data, command.offset, 0, second);
-}
-
-// What cannot hold whatever happens.
-void Compiler::check_constants(const OperationSpec &spec, uint32_t offset) {
-	if (spec.check == nullptr || _constant_arguments.empty()) {
-		return;
-	}
-	if (std::optional<CallProblem> problem = spec.check(spec.name, _constant_arguments)) {
-		warn(problem->id, offset, std::move(problem->message), std::move(problem->hint));
-	}
+	_open_blocks.pop_back();
+	emit(OpCode::CallBlock, at, effect, first, uint32_t(operation), command.arguments.count);
+	emit(OpCode::Data, at, 0, mask);
+	emit(OpCode::Data, at, 0, second);
 }
 
 void Compiler::unknown_command(const Command &command) {
@@ -288,6 +287,25 @@ uint32_t Compiler::block(uint32_t id, BlockKind kind) {
 	return index;
 }
 
+// False: what stands there is the condition alone, and not a command that could be wrong.
+bool Compiler::check_head(const AstEntry &source, BlockKind kind) {
+	const bool has_head = source.head != no_node;
+	if (source.depth != no_node && kind == BlockKind::Predicates) {
+		complain("unexpected-depth", _scope.ast->exprs[source.depth].offset, "a second `:` means something in blocks of sizes only");
+	}
+	if (has_head && kind == BlockKind::Bodies) {
+		complain("unexpected-head", source.offset, "nothing is selected here: this block holds commands only");
+	}
+	if (has_head || (kind != BlockKind::Predicates && kind != BlockKind::Selectors)) {
+		return true;
+	}
+	const bool is_condition = kind == BlockKind::Predicates;
+	complain("missing-head", source.offset,
+			is_condition ? "a condition and `:` belong in front of the commands" : "a selector and `:` belong in front of the commands",
+			is_condition ? "for everybody: { true: .. }" : "for all: { all: .. }");
+	return !is_strict() || _has_value_blocks || !is_value_alone(source.body);
+}
+
 BlockEntry Compiler::block_entry(const AstEntry &source, BlockKind kind) {
 	BlockEntry entry;
 	entry.place = place(source.offset);
@@ -303,13 +321,8 @@ BlockEntry Compiler::block_entry(const AstEntry &source, BlockKind kind) {
 			: source.separator == TokenKind::ConnectedAssign ? BlockEntry::Separator::Connected
 															 : BlockEntry::Separator::Each;
 	const bool has_head = source.head != no_node;
-	if (has_head && kind == BlockKind::Bodies) {
-		complain("unexpected-head", source.offset, "nothing is selected here: this block holds commands only");
-	} else if (!has_head && (kind == BlockKind::Predicates || kind == BlockKind::Selectors)) {
-		complain("missing-head", source.offset,
-				kind == BlockKind::Predicates ? "a condition and `:` belong in front of the commands"
-											  : "a selector and `:` belong in front of the commands",
-				kind == BlockKind::Predicates ? "for everybody: { true: .. }" : "for all: { all: .. }");
+	if (!check_head(source, kind)) {
+		return entry;
 	}
 	if (source.depth != no_node) {
 		entry.depth = value_chunk(source.depth, true);
@@ -323,6 +336,16 @@ BlockEntry Compiler::block_entry(const AstEntry &source, BlockKind kind) {
 	}
 	entry.body = _has_value_blocks ? value_chunk(source.body, false) : body_chunk(source.body, source.offset);
 	return entry;
+}
+
+// One name that is neither a rule nor an operation.
+bool Compiler::is_value_alone(uint32_t body) const {
+	const auto commands = _scope.ast->list(_scope.ast->bodies[body].commands);
+	if (commands.size() != 1) {
+		return false;
+	}
+	const Command &only = _scope.ast->commands[commands[0]];
+	return only.kind == CommandKind::Call && !_set.has_rule(_scope.space, only.name) && !_dialect.has_operation(only.name) && only.name != "set";
 }
 
 // What gives a value without arguments: of the rule set, a parameter, or built in.

@@ -50,59 +50,9 @@ template <typename Spec> int Compiler::choose(const std::vector<Spec> &specs, st
 int Compiler::choose_function(std::string_view name, NodeRange list) const { return choose(_dialect.functions, name, list); }
 int Compiler::choose_operation(std::string_view name, NodeRange list) const { return choose(_dialect.operations, name, list); }
 
-namespace {
-
-std::string signature(std::string_view name, const std::vector<ParamSpec> &params) {
-	std::string text = std::string(name) + "(";
-	for (size_t i = 0; i < params.size(); ++i) {
-		const bool is_optional = params[i].is_optional || params[i].is_repeated;
-		text += (is_optional ? " [" : "") + std::string(i > 0 ? ", " : "") + std::string(params[i].name) +
-				(params[i].is_repeated ? ".." : "") + (is_optional ? "]" : "");
-	}
-	return text + ")";
-}
-
-} // namespace
-
-// "Day(start), or Day(start, end)"
-std::string Compiler::forms_of(std::string_view name) const {
-	std::string forms;
-	const auto add = [&](const std::string &form) { forms += (forms.empty() ? "" : ", or ") + form; };
-	for (const FunctionSpec &spec : _dialect.functions) {
-		if (spec.name == name) {
-			add(signature(name, spec.params));
-		}
-	}
-	for (const OperationSpec &spec : _dialect.operations) {
-		if (spec.name == name) {
-			add(signature(name, spec.params));
-		}
-	}
-	for (const Definition &definition : _definitions) {
-		if (definition.name == name) {
-			std::string params;
-			for (const AstParam &param : definition.item->params) {
-				params += (params.empty() ? "" : ", ") + std::string(param.name);
-			}
-			add(std::string(name) + "(" + params + ")");
-		}
-	}
-	return forms;
-}
-
 bool Compiler::is_broken(NodeRange list) const {
 	const auto values = _scope.ast->list(list);
 	return std::any_of(values.begin(), values.end(), [&](uint32_t id) { return _scope.ast->exprs[id].kind == ExprKind::Error; });
-}
-
-void Compiler::wrong_count(std::string_view name, NodeRange list, uint32_t offset) {
-	if (is_broken(list)) {
-		return;
-	}
-	const std::string forms = forms_of(name);
-	complain("wrong-argument-count", offset,
-			"`" + std::string(name) + "` does not take " + std::to_string(list.count) + (list.count == 1 ? " argument" : " arguments"),
-			forms.empty() ? std::string() : "it is " + forms);
 }
 
 // --- Arguments
@@ -228,8 +178,8 @@ void Compiler::target_argument(const Expr &expr) {
 	if (expr.kind == ExprKind::Name) {
 		const uint32_t found = _set.find_value(_scope.space, expr.name, 0);
 		const bool is_attribute = found != no_node && _definitions[found].kind == Definition::Kind::Attribute;
-		const bool is_constant = is_attribute && _definitions[found].item->kind == AstItem::Kind::Constant;
-		if (is_attribute && !is_constant) {
+		const bool is_read_only = is_attribute && is_constant(_definitions[found]);
+		if (is_attribute && !is_read_only) {
 			emit_constant(Value::of_index(ValueType::Attribute, _definitions[found].index), expr.offset);
 			return;
 		}
@@ -238,14 +188,14 @@ void Compiler::target_argument(const Expr &expr) {
 			emit_constant(Value::of_index(ValueType::Variable, uint32_t(variable)), expr.offset);
 			return;
 		}
-		if (!is_constant && variable < 0 && _set.is_excused(_scope.space, expr.name)) {
+		if (!is_read_only && variable < 0 && _set.is_excused(_scope.space, expr.name)) {
 			emit_constant(Value(), expr.offset); // of an import that is missing: told there
 			return;
 		}
 		complain("unknown-name", expr.offset,
-				variable >= 0 || is_constant ? "`" + std::string(expr.name) + "` can only be read"
+				variable >= 0 || is_read_only ? "`" + std::string(expr.name) + "` can only be read"
 							  : "there is no attribute `" + std::string(expr.name) + "` to set",
-				is_constant ? "declare it with attr" : did_you_mean(expr.name, false));
+				is_read_only ? "declare it with attr" : did_you_mean(expr.name, false));
 	} else {
 		complain("not-a-name", expr.offset, "the name of an attribute belongs here");
 	}

@@ -102,7 +102,7 @@ bool compute(TokenKind op, double a, double b, Value &result) {
 } // namespace
 
 Compiler::Known Compiler::unknown_value(uint32_t offset) {
-	emit_constant(Value::of(0.0), offset);
+	emit_constant(is_strict() ? Value() : Value::of(0.0), offset); // nothing that could be found wrong again
 	return ValueType::Void;
 }
 

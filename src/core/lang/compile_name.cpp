@@ -50,6 +50,10 @@ Compiler::Known Compiler::global_name(const Expr &expr, bool is_required) {
 	if (found != no_node) {
 		const Definition &definition = _definitions[found];
 		const bool is_attribute = definition.kind == Definition::Kind::Attribute;
+		if (is_attribute && !_constant_values[definition.index].is_void()) {
+			emit_constant(_constant_values[definition.index], expr.offset);
+			return _constant_values[definition.index].type;
+		}
 		emit(is_attribute ? OpCode::LoadAttribute : OpCode::CallUser, expr.offset, 1, definition.index);
 		return ValueType::Void;
 	}

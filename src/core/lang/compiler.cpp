@@ -1,6 +1,7 @@
 #include "core/lang/compiler.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "core/base/random.h"
 
@@ -33,54 +34,6 @@ std::shared_ptr<const Program> Compiler::run() {
 	compile_definitions();
 	finish();
 	return _diagnostics.has_errors() ? nullptr : _program;
-}
-
-// --- Messages
-
-SourcePlace Compiler::place(uint32_t offset) const {
-	const Source::Position at = _scope.source->position(offset);
-	return { _scope.file, at.line, at.column };
-}
-
-void Compiler::report(Severity severity, std::string_view id, uint32_t offset, std::string message, std::string hint) {
-	_diagnostics.add(_scope.source->diagnostic(severity, id, offset, std::move(message), std::move(hint)));
-}
-
-std::string Compiler::did_you_mean(std::string_view name, bool wants_command) const {
-	std::vector<std::string_view> names;
-	if (wants_command) {
-		for (const Definition &definition : _definitions) {
-			if (definition.kind == Definition::Kind::Rule) {
-				names.push_back(definition.name);
-			}
-		}
-		for (const OperationSpec &spec : _dialect.operations) {
-			names.push_back(spec.name);
-		}
-	} else {
-		names = _scope.locals;
-		for (const Definition &definition : _definitions) {
-			if (definition.kind != Definition::Kind::Rule) {
-				names.push_back(definition.name);
-			}
-		}
-		for (const FunctionSpec &spec : _dialect.functions) {
-			names.push_back(spec.name);
-		}
-		for (const VariableSpec &spec : _dialect.variables) {
-			names.push_back(spec.name);
-		}
-		names.insert(names.end(), _program->slot_names.begin(), _program->slot_names.end());
-	}
-	const std::string_view closest = closest_name(name, names);
-	return closest.empty() ? std::string() : "did you mean `" + std::string(closest) + "`?";
-}
-
-void Compiler::unknown(std::string_view what, std::string_view unknown_name, uint32_t offset, bool wants_command) {
-	if (!_set.is_excused(_scope.space, unknown_name)) {
-		complain("unknown-name", offset, "unknown " + std::string(what) + " `" + std::string(unknown_name) + "`",
-				did_you_mean(unknown_name, wants_command));
-	}
 }
 
 // --- Declarations
@@ -188,36 +141,9 @@ void Compiler::declare() {
 	}
 	collect_slots();
 	mark_start_rules();
+	check_annotations();
 	if (_program->slot_names.size() > 0xFFFF && _scope.source != nullptr) {
 		error("too-many-names", 0, "more than 65535 names of local values");
-	}
-}
-
-// Of the main file, or where that has none, of the files that it imports into its own space.
-void Compiler::mark_start_rules() {
-	const auto mark = [&](bool main_file) {
-		size_t count = 0;
-		for (const Definition &definition : _definitions) {
-			if (definition.kind != Definition::Kind::Rule || _set.modules[definition.module].space != 0 ||
-					(_set.modules[definition.module].file == 0) != main_file) {
-				continue;
-			}
-			bool is_start = definition.item->is_start;
-			for (const AstAnnotation &annotation : definition.item->annotations) {
-				is_start |= annotation.name == "StartRule";
-			}
-			_program->rules[definition.index].is_start = is_start;
-			if (is_start && count++ == 0) {
-				_program->start_rule = RuleId(definition.index);
-			}
-		}
-		if (count > 1 && is_strict()) {
-			_program->start_rule = RuleId::Invalid;
-		}
-		return count > 0;
-	};
-	if (!mark(true)) {
-		mark(false);
 	}
 }
 
@@ -233,15 +159,30 @@ void Compiler::open_scope(const Definition &definition) {
 	}
 }
 
+// Constants first, those of imported files before all: where they are plain values, what uses them can be looked at with them.
 void Compiler::compile_definitions() {
+	std::vector<const Definition *> constants, others;
 	for (const Definition &definition : _definitions) {
-		open_scope(definition);
-		begin_chunk();
-		if (definition.kind == Definition::Kind::Rule) {
-			compile_rule(definition);
-		} else {
-			compile_value(definition);
-		}
+		(is_dynamic() && is_constant(definition) ? constants : others).push_back(&definition);
+	}
+	std::ranges::stable_sort(constants, std::greater(), &Definition::module);
+	_constant_values.resize(_program->attributes.size());
+	for (const Definition *definition : constants) {
+		compile_definition(*definition);
+		_constant_values[definition->index] = constant_of(_program->attributes[definition->index].code);
+	}
+	for (const Definition *definition : others) {
+		compile_definition(*definition);
+	}
+}
+
+void Compiler::compile_definition(const Definition &definition) {
+	open_scope(definition);
+	begin_chunk();
+	if (definition.kind == Definition::Kind::Rule) {
+		compile_rule(definition);
+	} else {
+		compile_value(definition);
 	}
 }
 

@@ -51,8 +51,11 @@ private:
 	uint32_t slot(std::string_view name);
 	std::vector<Annotation> annotations_of(const Definition &definition) const;
 	void add_params(Callable &callable, std::span<const AstParam> params);
-	void mark_start_rules();
 	void compile_definitions();
+	void compile_definition(const Definition &definition);
+	static bool is_constant(const Definition &definition) {
+		return definition.kind == Definition::Kind::Attribute && definition.item->kind == AstItem::Kind::Constant;
+	}
 	void open_scope(const Definition &definition);
 	void compile_rule(const Definition &definition);
 	void compile_value(const Definition &definition);
@@ -72,7 +75,7 @@ private:
 	uint32_t constant(const Value &value);
 	uint32_t symbol(std::string_view text);
 
-	// compiler.cpp: messages
+	// compile_messages.cpp
 	SourcePlace place(uint32_t offset) const;
 	void report(Severity severity, std::string_view id, uint32_t offset, std::string message, std::string hint = {});
 	void error(std::string_view id, uint32_t offset, std::string message, std::string hint = {}) {
@@ -90,6 +93,9 @@ private:
 	void unknown(std::string_view what, std::string_view name, uint32_t offset, bool wants_command);
 	bool is_dynamic() const { return _dialect.locals == Dialect::Locals::Dynamic; }
 	std::string did_you_mean(std::string_view name, bool wants_command) const;
+	std::vector<std::string_view> command_names() const;
+	std::vector<std::string_view> value_names() const;
+	bool is_full() const { return _diagnostics.is_full(is_strict() ? Severity::Error : Severity::Warning); } // what it complains of is only counted
 
 	// compile_expression.cpp
 	Known expression(uint32_t expr);
@@ -156,6 +162,8 @@ private:
 	void chance_command(const Command &command);
 	uint32_t block(uint32_t block, BlockKind kind);
 	BlockEntry block_entry(const AstEntry &entry, BlockKind kind);
+	bool is_value_alone(uint32_t body) const;
+	bool check_head(const AstEntry &entry, BlockKind kind);
 	BlockEntry entry_with_head(const AstEntry &entry, BlockKind kind);
 	Chunk missing_size(const AstEntry &entry);
 	bool is_older_than(double version) const; // the file that is being compiled
@@ -164,16 +172,26 @@ private:
 	Chunk body_chunk(uint32_t body, uint32_t offset);
 	void rule_arguments(NodeRange list);
 
+	// check_declarations.cpp
+	void check_annotations();
+	void mark_start_rules();
+	uint32_t mark_start_rules(bool in_main_file); // how many there are
+	void check_start_rule(const Definition &definition);
+
 	// check_program.cpp: warnings about what is sound but has no effect
 	void warn_unreachable(bool is_decided, uint32_t offset);
 	void warn_indented(uint32_t first_case, uint32_t offset);
 	bool is_always_true(const Value &condition, uint32_t offset); // warns of one that is always false
-	void check_constants(const OperationSpec &spec, uint32_t offset);
+	uint32_t check_constants(uint32_t operation, const Command &command);
 	Value constant_of(Chunk chunk) const; // Void if it is more than a constant
 	void warn_unused_and_phases();
-	void warn_phases(const std::vector<bool> &generation, const std::vector<bool> &simulation);
+	struct Reached { // by rule
+		std::vector<bool> generation;
+		std::vector<bool> simulation;
+	};
+	Reached reached_rules() const;
+	void warn_phases(const Reached &reached);
 	void warn_at(std::string_view id, const SourcePlace &at, std::string message, std::string hint);
-	void spread(std::vector<bool> &reached) const;
 
 	const RuleSet &_set;
 	const Dialect &_dialect;
@@ -186,6 +204,7 @@ private:
 	std::unordered_map<std::string, uint32_t> _symbols;
 	std::unordered_map<std::string_view, uint32_t> _slots;
 	std::unordered_map<std::string, uint32_t> _leaves; // "Wall/2" to rule
+	std::vector<Value> _constant_values; // by attribute: of constants that are plain values, Void of all others
 	bool _has_value_blocks = false; // the block that is being compiled is a function's
 
 	// Who calls what, for warnings: edges from rule to rule, by how the called one runs.
@@ -199,7 +218,12 @@ private:
 		uint32_t operation;
 		SourcePlace place;
 	};
+	struct OpenBlock { // of an operation, around what is being compiled
+		uint32_t operation;
+		Value first_argument; // Void: not known, or none
+	};
 	uint32_t _current_rule = no_node;
+	std::vector<OpenBlock> _open_blocks;
 	std::vector<Value> _constant_arguments; // of the call whose arguments were compiled last; Void what is not known
 	std::vector<Edge> _edges;
 	std::vector<OperationUse> _uses;

@@ -86,10 +86,18 @@ struct CallProblem {
 	std::string_view id;
 	std::string message;
 	std::string hint;
+	int argument = -1; // told at its place; -1: at the call
 };
 
-// Looks at the arguments of a call that are known when it is compiled; the others are Void. What it finds is a warning.
-using ConstantCheck = std::optional<CallProblem> (*)(std::string_view operation, std::span<const Value> constants);
+// What is known of a call when it is compiled; Void: shows only while it runs.
+struct KnownCall {
+	std::string_view operation;
+	std::span<const Value> arguments;
+	std::span<const Value> around; // first arguments of the calls of the same operation in whose blocks it stands, the outermost first
+};
+
+// What it finds is a warning.
+using ConstantCheck = std::optional<CallProblem> (*)(const KnownCall &call);
 
 struct OperationSpec {
 	std::string_view name;
@@ -109,7 +117,7 @@ struct VariableSpec {
 	ValueType type = ValueType::Number;
 	VariableHandler handler = nullptr;
 	std::string_view help;
-	bool is_writable = false; // set(name, ..) is handed to the dialect's operation `set`
+	bool is_writable = false; // set(name, ..) is handed to the dialect's operation `set`, or with dynamic locals makes a local of that name
 };
 
 struct Dialect {
@@ -130,6 +138,8 @@ struct Dialect {
 	// Words that within the expressions of a selector block stand for a function of this name, called with the word as its text.
 	std::vector<std::string_view> selector_words;
 	std::string_view selector_function;
+
+	std::vector<std::string_view> annotations; // known ones, without the @; empty: anything may be one
 
 	std::vector<FunctionSpec> functions;
 	std::vector<OperationSpec> operations;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <iterator>
 #include <string>
 
@@ -213,6 +214,7 @@ void Lexer::read_number() {
 	const auto parsed = std::from_chars(digits.data(), digits.data() + digits.size(), value);
 	if (parsed.ec == std::errc::result_out_of_range) {
 		error("number-range", _at, "the number `" + digits + "` is beyond what a number can hold", "at most about 1e308");
+		value = NAN;
 	}
 	add(TokenKind::Number, end - _at);
 	_list.tokens.back().number = value;
@@ -248,6 +250,7 @@ void Lexer::read_time(size_t number_end) {
 		++end;
 	}
 	if (!is_good) {
+		seconds = NAN;
 		error("bad-unit", _at, "`" + std::string(_text.substr(_at, end - _at)) + "` is not a time",
 				"units are h, m and s, larger ones first: 8h, 5m, 30s, 8h30m");
 	}

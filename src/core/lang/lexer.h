@@ -60,7 +60,7 @@ struct Token {
 	uint32_t offset = 0;
 	uint32_t length = 0;
 	uint32_t match = 0; // of a bracket: index of its partner; 0 if it has none
-	double number = 0.0; // of a Number, in seconds if it carries a unit
+	double number = 0.0; // of a Number, in seconds if it carries a unit; NaN: it is none, which was told
 };
 
 struct TokenList {

@@ -81,6 +81,9 @@ uint32_t Parser::parse_body(Chains chains) {
 			break;
 		}
 		commands.push_back(parse_command());
+		if (_panic && is(TokenKind::Colon) && commands.size() > 1) {
+			commands.erase(commands.end() - 2); // what stands before it was meant for a condition
+		}
 	}
 	return add_body(commands);
 }
@@ -149,10 +152,7 @@ uint32_t Parser::parse_command() {
 				"write the commands out, or leave the branch empty");
 		take();
 		_panic = false;
-		Command nothing;
-		nothing.kind = CommandKind::Group;
-		nothing.body = add_body({});
-		return add(nothing);
+		return add_nothing();
 	}
 	if (is_word("inline") && (is(TokenKind::OpenParen, 1) || is(TokenKind::OpenBrace, 1) || is(TokenKind::Name, 1))) {
 		return parse_inline();
@@ -161,7 +161,15 @@ uint32_t Parser::parse_command() {
 		return parse_call();
 	}
 	unexpected("a command");
-	return add(Command{});
+	return add_nothing();
+}
+
+// In place of a command that was diagnosed.
+uint32_t Parser::add_nothing() {
+	Command nothing;
+	nothing.kind = CommandKind::Group;
+	nothing.body = add_body({});
+	return add(nothing);
 }
 
 uint32_t Parser::parse_group() {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "core/lang/parser.h"
 
@@ -238,8 +239,8 @@ uint32_t Parser::parse_primary() {
 	expr.offset = peek().offset;
 	switch (peek().kind) {
 		case TokenKind::Number:
-			expr.kind = ExprKind::Number;
 			expr.number = take().number;
+			expr.kind = std::isnan(expr.number) ? ExprKind::Error : ExprKind::Number;
 			return add(expr);
 		case TokenKind::String:
 			expr.kind = ExprKind::Text;

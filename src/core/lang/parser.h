@@ -74,6 +74,7 @@ private:
 	uint32_t parse_chance(Chains chains);
 	uint32_t parse_branch(uint32_t condition, uint32_t offset, Chains chains);
 	uint32_t parse_command();
+	uint32_t add_nothing();
 	uint32_t parse_call();
 	uint32_t parse_inline();
 	uint32_t parse_import_call_command(Command command);

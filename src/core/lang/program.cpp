@@ -1,5 +1,7 @@
 #include "core/lang/program.h"
 
+#include <algorithm>
+
 namespace pcg {
 
 namespace {
@@ -45,22 +47,15 @@ RuleId require_start_rule(const Program &program, Diagnostics &diagnostics) {
 	if (is_valid(program.start_rule)) {
 		return program.start_rule;
 	}
-	std::string marked;
-	const RuleInfo *second = nullptr;
-	for (const RuleInfo &rule : program.rules) {
-		if (rule.is_start) {
-			marked += (marked.empty() ? "" : ", ") + rule.name;
-			second = &rule;
-		}
+	Diagnostic missing{ Severity::Error, "no-start-rule", program.files.empty() ? std::string() : program.files[0], 0, 0, "no rule is marked @StartRule",
+		"write @StartRule in front of the rule to begin with", {} };
+	const auto first = std::ranges::find_if(program.rules, [](const RuleInfo &rule) { return rule.place.file == 0; });
+	if (first != program.rules.end()) {
+		missing.line = first->place.line;
+		missing.column = first->place.column;
+		missing.source = program.sources[0]->excerpt(missing.line, missing.column);
 	}
-	const std::string file = program.files.empty() ? std::string() : program.files[0];
-	if (second == nullptr) {
-		diagnostics.add({ Severity::Error, "no-start-rule", file, 0, 0, "no rule is marked @StartRule",
-				"write @StartRule in front of the rule to begin with", {} });
-	} else {
-		diagnostics.add({ Severity::Error, "several-start-rules", program.files[second->place.file], second->place.line,
-				second->place.column, "several rules are marked @StartRule: " + marked, "leave the mark at one of them", {} });
-	}
+	diagnostics.add(std::move(missing));
 	return RuleId::Invalid;
 }
 

@@ -115,7 +115,7 @@ struct Program {
 	std::vector<std::string> slot_names;
 	uint32_t max_stack = 0; // values that any one chunk needs at most
 	uint64_t fingerprint = 0; // of code and constants: saved runs fit no other program
-	RuleId start_rule = RuleId::Invalid; // the default start; Invalid if none is marked, and in PCG if several are
+	RuleId start_rule = RuleId::Invalid; // the default start, the first that is marked; Invalid if none is
 	std::deque<std::string> text_storage; // owns what `texts` views
 	std::vector<std::vector<Value>> array_storage; // owns what constant arrays view
 	std::deque<ArrayData> arrays;
@@ -129,7 +129,7 @@ struct Program {
 	int find_attribute(std::string_view name) const;
 };
 
-// For hosts that need a default start: `start_rule`, or an error that names the rules marked @StartRule (PCG language, section 1).
+// For hosts that need a default start: `start_rule`, or an error that says where one could be marked (PCG language, section 1).
 RuleId require_start_rule(const Program &program, Diagnostics &diagnostics);
 
 } // namespace pcg

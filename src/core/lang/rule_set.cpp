@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/lang/parser.h"
+#include "core/lang/rule_lookup.h"
 #include "core/lang/styles.h"
 
 namespace pcg {
@@ -10,22 +11,6 @@ namespace pcg {
 namespace {
 
 constexpr size_t max_modules = 2000; // imports of imports of imports, each twice, would be billions
-
-uint32_t find_overload(const RuleSet &set, const std::vector<uint32_t> *list, size_t param_count) {
-	if (list != nullptr) {
-		for (uint32_t definition : *list) {
-			if (set.definitions[definition].param_count == param_count) {
-				return definition;
-			}
-		}
-	}
-	return no_node;
-}
-
-template <typename Map> const std::vector<uint32_t> *find_list(const Map &map, std::string_view name) {
-	const auto found = map.find(name);
-	return found == map.end() ? nullptr : &found->second;
-}
 
 class Loader {
 public:
@@ -50,6 +35,10 @@ private:
 	void report_duplicate(const Definition &definition, const Definition &older, std::string_view name);
 	std::string style_of(const Module &importer, const AstImport &import, uint32_t imported);
 	void define_for_imports(uint32_t module);
+	Definition::Kind kind_of(const AstItem &item) const;
+	bool may_replace(const ParsedFile &file, uint32_t space, std::string_view name, const AstItem &item);
+	void report_constant(const ParsedFile &file, uint32_t offset, std::string_view name);
+	bool is_strict() const { return _dialect.unknown_names == Dialect::UnknownNames::Error; }
 
 	const Dialect &_dialect;
 	SourceProvider &_provider;
@@ -66,10 +55,9 @@ void Loader::report_missing(const std::string &path, const Diagnostic &why, cons
 		_diagnostics.add(std::move(diagnostic));
 		return;
 	}
-	const bool is_error = _dialect.unknown_names == Dialect::UnknownNames::Error;
-	_diagnostics.add(importer->source->diagnostic(is_error ? Severity::Error : Severity::Warning, "missing-import", import->path_offset,
+	_diagnostics.add(importer->source->diagnostic(is_strict() ? Severity::Error : Severity::Warning, "missing-import", import->path_offset,
 			"cannot import `" + path + "`: " + why.message,
-			is_error ? "paths count from the folder of the importing file" : "what it defines is left out"));
+			is_strict() ? "paths count from the folder of the importing file" : "what it defines is left out"));
 }
 
 // The number of the parsed file, no_node if it cannot be had.
@@ -122,7 +110,7 @@ void Loader::load_module(uint32_t file, uint32_t space, uint32_t depth, const st
 	define_for_imports(module);
 }
 
-// Rules that this file defines for an import: b.Mass --> ..
+// Rules and values that this file defines for an import: b.Mass --> ..
 void Loader::define_for_imports(uint32_t module) {
 	const ParsedFile &file = *_set.files[_set.modules[module].file];
 	for (const AstItem &item : file.ast.items) {
@@ -133,14 +121,44 @@ void Loader::define_for_imports(uint32_t module) {
 		}
 		const uint32_t target = _set.enter_space(_set.modules[module].space, name);
 		if (target == no_node) {
-			const bool is_error = _dialect.unknown_names == Dialect::UnknownNames::Error;
-			_diagnostics.add(file.source->diagnostic(is_error ? Severity::Error : Severity::Warning, "unknown-import", item.offset,
+			_diagnostics.add(file.source->diagnostic(is_strict() ? Severity::Error : Severity::Warning, "unknown-import", item.offset,
 					"`" + std::string(item.name) + "` belongs to an import that does not exist"));
 			continue;
 		}
-		const auto kind = item.kind == AstItem::Kind::Rule ? Definition::Kind::Rule : Definition::Kind::Function;
-		define({ kind, module, &item, nullptr, {}, item.offset, uint32_t(item.params.size()) }, target, name);
+		if (!is_strict() || may_replace(file, target, name, item)) {
+			define({ kind_of(item), module, &item, nullptr, {}, item.offset, uint32_t(item.params.size()) }, target, name);
+		}
 	}
+}
+
+Definition::Kind Loader::kind_of(const AstItem &item) const {
+	const bool is_plain_function = item.kind == AstItem::Kind::Plain && _dialect.locals == Dialect::Locals::Lexical;
+	return item.kind == AstItem::Kind::Rule ? Definition::Kind::Rule
+			: item.has_params || is_plain_function ? Definition::Kind::Function
+												   : Definition::Kind::Attribute;
+}
+
+// What an import does not have nobody there asks for, and its constants are its own.
+bool Loader::may_replace(const ParsedFile &file, uint32_t space, std::string_view name, const AstItem &item) {
+	const Space &imported = _set.spaces[space];
+	const auto &known = item.kind == AstItem::Kind::Rule ? imported.rules : imported.values;
+	const uint32_t found = find_overload(_set, find_list(known, name), item.params.size());
+	if (found != no_node && _set.definitions[found].item->kind != AstItem::Kind::Constant) {
+		return true;
+	}
+	if (found != no_node) {
+		report_constant(file, item.offset, item.name);
+	} else if (!_set.is_excused(space, name)) {
+		_diagnostics.add(file.source->diagnostic(Severity::Error, "unknown-name", item.offset,
+				"the import has no " + std::string(item.kind == AstItem::Kind::Rule ? "rule" : "value") + " `" + std::string(item.name) + "` to replace",
+				nearest(known, imported.prefix, name)));
+	}
+	return false;
+}
+
+void Loader::report_constant(const ParsedFile &file, uint32_t offset, std::string_view name) {
+	_diagnostics.add(file.source->diagnostic(Severity::Error, "read-only", offset, "`" + std::string(name) + "` is const in the imported file and keeps its value",
+			"declare it there with attr"));
 }
 
 // import id (S) : a list limits what the host may choose. There is one choice for the main file: where the list names it too, that is taken,
@@ -219,13 +237,9 @@ void Loader::define_items(uint32_t module) {
 		if (level == chain.end() || item.name.find('.') != std::string_view::npos) {
 			continue;
 		}
-		Definition definition = { Definition::Kind::Rule, module, &item, nullptr, {}, item.offset, uint32_t(item.params.size()) };
+		Definition definition = { kind_of(item), module, &item, nullptr, {}, item.offset, uint32_t(item.params.size()) };
 		definition.style_level = uint32_t(level - chain.begin());
 		definition.is_default_style = style == "Default";
-		if (item.kind != AstItem::Kind::Rule) {
-			const bool is_plain_function = item.kind == AstItem::Kind::Plain && _dialect.locals == Dialect::Locals::Lexical;
-			definition.kind = item.has_params || is_plain_function ? Definition::Kind::Function : Definition::Kind::Attribute;
-		}
 		define(std::move(definition), here.space, item.name);
 	}
 }
@@ -250,6 +264,10 @@ void Loader::define(Definition definition, uint32_t space_index, std::string_vie
 			continue;
 		}
 		if (wins(definition, older, space_index, name)) {
+			if (older.kind == Definition::Kind::Attribute && definition.kind == older.kind) {
+				older = std::move(definition); // hosts find one value of that name
+				return;
+			}
 			_set.definitions.push_back(std::move(definition));
 			known = uint32_t(_set.definitions.size() - 1);
 			note_start(space_index, known);
@@ -294,13 +312,17 @@ void Loader::define_overrides(uint32_t module, const AstImport &import, uint32_t
 		if (item.is_protected()) {
 			continue;
 		}
+		const ParsedFile &file = *_set.files[_set.modules[module].file];
 		const bool is_rule = item.body != no_node;
-		const uint32_t target = is_rule ? find_overload(_set, find_list(_set.spaces[space].rules, item.name), item.params.size())
-										: find_overload(_set, find_list(_set.spaces[space].values, item.name), 0);
+		const auto &known = is_rule ? _set.spaces[space].rules : _set.spaces[space].values;
+		const uint32_t target = find_overload(_set, find_list(known, item.name), is_rule ? item.params.size() : 0);
 		if (target == no_node) {
-			const Source &source = *_set.files[_set.modules[module].file]->source;
-			_diagnostics.add(source.diagnostic(Severity::Warning, "unknown-name", item.offset,
-					"`" + import.path + "` has no " + (is_rule ? "rule `" : "attribute `") + std::string(item.name) + "`"));
+			_diagnostics.add(file.source->diagnostic(is_strict() ? Severity::Error : Severity::Warning, "unknown-name", item.offset,
+					"`" + import.path + "` has no " + (is_rule ? "rule `" : "attribute `") + std::string(item.name) + "`", nearest(known, {}, item.name)));
+			continue;
+		}
+		if (is_strict() && _set.definitions[target].item->kind == AstItem::Kind::Constant) {
+			report_constant(file, item.offset, item.name);
 			continue;
 		}
 		if (_set.definitions[target].is_default_style) {
@@ -340,54 +362,6 @@ RuleSet Loader::run(const std::string &path, std::string_view style) {
 }
 
 } // namespace
-
-uint32_t RuleSet::enter_space(uint32_t space, std::string_view &name) const {
-	for (size_t dot = name.find('.'); dot != std::string_view::npos && dot + 1 < name.size(); dot = name.find('.')) {
-		const auto found = spaces[space].imports.find(name.substr(0, dot));
-		if (found == spaces[space].imports.end()) {
-			return no_node;
-		}
-		space = found->second;
-		name.remove_prefix(dot + 1);
-	}
-	return space;
-}
-
-bool RuleSet::is_excused(uint32_t space, std::string_view name) const {
-	for (const auto &file : files) {
-		if (std::find(file->ast.lost_names.begin(), file->ast.lost_names.end(), name) != file->ast.lost_names.end()) {
-			return true;
-		}
-	}
-	space = enter_space(space, name);
-	return space != no_node && spaces[space].is_missing;
-}
-
-uint32_t RuleSet::find_rule(uint32_t space, std::string_view name, size_t param_count) const {
-	space = enter_space(space, name);
-	if (space == no_node) {
-		return no_node;
-	}
-	const uint32_t found = find_overload(*this, find_list(spaces[space].rules, name), param_count);
-	const uint32_t start = spaces[space].start;
-	return found == no_node && name == "start" && start != no_node
-			? find_overload(*this, find_list(spaces[space].rules, definitions[start].item->name), param_count) : found;
-}
-
-uint32_t RuleSet::find_value(uint32_t space, std::string_view name, size_t param_count) const {
-	space = enter_space(space, name);
-	return space == no_node ? no_node : find_overload(*this, find_list(spaces[space].values, name), param_count);
-}
-
-bool RuleSet::has_rule(uint32_t space, std::string_view name) const {
-	space = enter_space(space, name);
-	return space != no_node && find_list(spaces[space].rules, name) != nullptr;
-}
-
-bool RuleSet::has_value(uint32_t space, std::string_view name) const {
-	space = enter_space(space, name);
-	return space != no_node && find_list(spaces[space].values, name) != nullptr;
-}
 
 RuleSet load_rule_set(const std::string &path, const Dialect &dialect, SourceProvider &provider, Diagnostics &diagnostics,
 		std::string_view style) {

@@ -93,7 +93,8 @@ bool Vm::count_step_with_care() {
 		return !_failed;
 	}
 	fail("step-limit", "gave up after " + std::to_string(_limits.max_steps) + " calls in one run",
-			"do rules call each other without an end?");
+			_native_depth > 1 ? "blocks and conditions run inside of each other here, and their numbers multiply: ask once beforehand and keep the answer"
+							  : "do rules call each other without an end?");
 	return false;
 }
 

@@ -53,11 +53,12 @@ Flow op_interact(Vm &vm, const Args &args) {
 	return behavior ? behavior->interact(args.number(0), action) : Flow::Next;
 }
 
-std::optional<CallProblem> check_seconds(std::string_view operation, std::span<const Value> constants) {
-	if (!constants[0].is_number() || (constants[0].number > 0.0 && std::isfinite(constants[0].number))) {
+std::optional<CallProblem> check_seconds(const KnownCall &call) {
+	const Value &seconds = call.arguments[0];
+	if (!seconds.is_number() || (seconds.number > 0.0 && std::isfinite(seconds.number))) {
 		return std::nullopt;
 	}
-	return CallProblem{ "no-length", "'" + std::string(operation) + "' does not wait: the time is not above 0", "it is a span in seconds, as in 10m" };
+	return CallProblem{ "no-length", "'" + std::string(call.operation) + "' does not wait: the time is not above 0", "it is a span in seconds, as in 10m" };
 }
 
 void add_operation(Dialect &dialect, std::string_view name, std::vector<ParamSpec> params, OperationHandler handler,

@@ -28,6 +28,8 @@ const char *reason_name(Unmet reason) {
 			return "lost";
 		case Unmet::NotOver:
 			return "not-over";
+		case Unmet::Deserted:
+			return "deserted";
 	}
 	return "";
 }
@@ -132,7 +134,7 @@ bool CitizenManager::tell_change(const AgendaChange &change) {
 			entry["day"] = *dropped.day;
 		}
 		emit_signal("task_dropped", int64_t(index_of(dropped.person)), entry, String(reason_name(dropped.reason)),
-				to_godot(std::string_view(life->agendas.names[dropped.name])));
+				dropped.name != 0 ? to_godot(std::string_view(life->agendas.names[dropped.name])) : String());
 		if (!is_there(self)) {
 			return true;
 		}

@@ -25,6 +25,22 @@ std::string AgendaFixture::day_of(PersonId id, int day) const {
 	return text;
 }
 
+std::string AgendaFixture::walks_of(PersonId id, int day) const {
+	std::string text;
+	for (Task task : agendas.tasks_of(id)) {
+		if (task.kind != TaskKind::Accompany || !((task.days >> day) & 1)) {
+			continue;
+		}
+		task.days = DayMask(1u << day);
+		const Group &group = agendas.groups[task.target];
+		text += (text.empty() ? "" : "; ") + clock_text(task.start(), false) + " " + std::to_string(index_of(group.leader)) + " leads";
+		for (PersonId joiner : joiners_on(agendas, task.target, set_out_days(group, task))) {
+			text += " " + std::to_string(index_of(joiner));
+		}
+	}
+	return text;
+}
+
 std::string AgendaFixture::problems() const {
 	std::string text;
 	for (const Diagnostic &diagnostic : diagnostics.list()) {

@@ -73,6 +73,8 @@ public:
 
 	// "00:00-08:00 stay 0; .." of one person on one day, by start; tasks that began the day before are not listed.
 	std::string day_of(PersonId id, int day = 0) const;
+	// "07:30 0 leads 2 3; ..": walks together that begin on that day, or what is left of them, with those who come along then.
+	std::string walks_of(PersonId id, int day) const;
 	// Ids of the diagnostics, with spaces between them.
 	std::string problems() const;
 };

@@ -65,6 +65,7 @@ TEST_CASE("shapes: what is unknown is a leaf or left out, with a warning") {
 	CHECK(check_shape("Lot --> case true: A.") == "missing-else 1:9");
 	CHECK(check_shape("Lot --> split(w) { 1: A. }") == "unknown-word 1:15");
 	CHECK(check_shape("attr h = 1\nLot --> set(h, 2) set(material.color.r, 1) set(scope.sx, 1) set(k, 1)") == "unknown-name 2:48; unknown-name 2:65");
+	CHECK(check_shape("const h = 1\nLot --> set(h, 2)") == "unknown-name 2:13");
 }
 
 TEST_CASE("overloads are chosen by number of arguments, then by their words") {
@@ -110,12 +111,38 @@ TEST_CASE("a host that needs a start gets one, or is told why not") {
 	const auto message = [](const std::string &text) {
 		Diagnostics diagnostics;
 		const auto program = program_of(text, day_dialect(), diagnostics);
-		REQUIRE(program);
-		Diagnostics starts;
-		require_start_rule(*program, starts);
-		return places_of(starts);
+		if (program) {
+			require_start_rule(*program, diagnostics);
+		}
+		return places_of(diagnostics);
 	};
 	CHECK(message("@StartRule\nA --> log(1)") == "");
-	CHECK(message("A --> log(1)") == "no-start-rule 0:0");
+	CHECK(message("x = 1") == "no-start-rule 0:0");
+	CHECK(message("x = 1\nA --> log(1)") == "no-start-rule 2:1");
 	CHECK(message("@StartRule\nA --> log(1)\n@StartRule\nB --> log(1)") == "several-start-rules 4:1");
+	CHECK(message("@StartRule\nA(x) --> log(x)") == "start-rule-parameters 2:1");
+	// Hosts of the other languages say where they begin.
+	CHECK(check_shape("@StartRule\nA --> log(1)\n@StartRule\nB(x) --> log(x)") == "");
+}
+
+TEST_CASE("a hundred thousand mistakes are counted, and the words are found for those that are told") {
+	const auto rules = [](const std::string &called) {
+		std::string text = "@StartRule\nA --> R0\n";
+		for (int i = 0; i < 100'000; ++i) {
+			text += "R" + std::to_string(i) + " --> " + called + std::to_string(i) + "\n";
+		}
+		return text;
+	};
+	Diagnostics diagnostics;
+	CHECK(program_of(rules("Q"), day_dialect(), diagnostics) == nullptr);
+	CHECK(diagnostics.error_count() == 100'000);
+	CHECK(diagnostics.list().size() == 200);
+	CHECK(diagnostics.list()[0].hint == "did you mean `R0`?");
+	Diagnostics warnings;
+	CHECK(program_of(rules("Q"), shape_dialect(), warnings) != nullptr);
+	CHECK(warnings.warning_count() == 100'000);
+	CHECK(warnings.list()[199].hint.starts_with("did you mean `R199`?"));
+	Diagnostics counts;
+	CHECK(program_of(rules("log(1) R0(0) A"), day_dialect(), counts) == nullptr);
+	CHECK(counts.error_count() == 200'000);
 }

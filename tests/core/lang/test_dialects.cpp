@@ -132,7 +132,7 @@ Dialect make_day() {
 		{ "later", { { "rule", ParamKind::Rule } }, BlockKind::None, op_later, "" },
 		{ "days", { { "mask", ParamKind::Text } }, BlockKind::Bodies, op_block, "" },
 	};
-	dialect.variables = { { "age", ValueType::Number, read_age, "" }, { "time", ValueType::Number, read_time, "" } };
+	dialect.variables = { { "age", ValueType::Number, read_age, "" }, { "time", ValueType::Number, read_time, "", true } };
 	return dialect;
 }
 

@@ -37,7 +37,7 @@ void add_variables(Dialect &dialect) {
 	dialect.variables.push_back({ "household.id", ValueType::Number, household_id, "The household whose rules run." });
 	dialect.variables.push_back({ "day", ValueType::Number, day,
 			"The day of the week, 0 Monday .. 6 Sunday. While agendas are written, rules that read it run once for each day." });
-	dialect.variables.push_back({ "time", ValueType::Number, time, "Seconds since 0h of the day, in delayed rules only." });
+	dialect.variables.push_back({ "time", ValueType::Number, time, "Seconds since 0h of the day, in delayed rules only. A rule may set(time, ..) to a value of its own, as the paper's does.", true });
 }
 
 } // namespace pcg::agenda

@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/agenda/generation_context.h"
+#include "core/agenda/operations/constant_checks.h"
 #include "core/agenda/operations/operations.h"
 #include "core/base/small_vector.h"
 
@@ -160,8 +163,8 @@ Flow accompany(Vm &vm, const Args &args) {
 	if (!require_focus(vm, "accompany")) {
 		return Flow::Stop;
 	}
-	if (!std::isfinite(args.number(0))) {
-		vm.warn("time-not-finite", "'accompany' has a time that is not finite, so nothing is inserted");
+	if (std::optional<CallProblem> problem = moment_problem("accompany", args.number(0))) {
+		vm.warn(problem->id, std::move(problem->message), std::move(problem->hint));
 		return Flow::Next;
 	}
 	Accompaniment accompaniment(vm, *context, args.number(0));
@@ -176,7 +179,8 @@ Flow accompany(Vm &vm, const Args &args) {
 void add_accompany(Dialect &dialect) {
 	dialect.operations.push_back({ "accompany", { { "time", ParamKind::Number }, { "predicate", ParamKind::Predicate } }, BlockKind::None, accompany,
 			"The focused person leads the other members for whom the predicate is true: all get one group task with the goal, start and end "
-			"of the entry that the first of them (lowest id) has at `time`; who goes elsewhere then does not join." });
+			"of the entry that the first of them (lowest id) has at `time`; who goes elsewhere then does not join.",
+			Phase::Generation, nullptr, check_moment });
 }
 
 } // namespace pcg::agenda

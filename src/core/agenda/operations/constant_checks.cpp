@@ -12,14 +12,23 @@ constexpr double week_seconds = 7.0 * day_seconds;
 
 } // namespace
 
-std::optional<CallProblem> times_problem(std::string_view operation, double start, double end) {
+std::optional<CallProblem> moment_problem(std::string_view operation, double time) {
 	const std::string name = "'" + std::string(operation) + "'";
-	if (!std::isfinite(start) || !std::isfinite(end)) {
+	if (!std::isfinite(time)) {
 		return CallProblem{ "time-not-finite", name + " has a time that is not finite, so nothing is inserted",
 			"the distance to a building that cannot be reached is infinite: test it with isValid(..) or a comparison first" };
 	}
-	if (std::abs(start) > week_seconds) {
-		return CallProblem{ "time-out-of-range", name + " starts more than a week away, so nothing is inserted", "times are seconds from 0h of the day" };
+	if (std::abs(time) > week_seconds) {
+		return CallProblem{ "time-out-of-range", name + " has a time more than a week away, so nothing is inserted", "times are seconds from 0h of the day" };
+	}
+	return std::nullopt;
+}
+
+std::optional<CallProblem> times_problem(std::string_view operation, double start, double end) {
+	const std::string name = "'" + std::string(operation) + "'";
+	std::optional<CallProblem> problem = moment_problem(operation, std::isfinite(end) ? start : end);
+	if (problem) {
+		return problem;
 	}
 	if (start >= end) {
 		return CallProblem{ "no-length", name + " would end before it starts, so nothing is inserted", "the first time has to be before the second" };
@@ -47,24 +56,28 @@ CallProblem no_building(std::string_view operation, double number) {
 		"buildings have the ids of the city's file: write one of them, or find one by its type, as in findBuilding(\"school\")" };
 }
 
-std::optional<CallProblem> check_times(std::string_view operation, std::span<const Value> constants) {
-	const bool are_known = constants.size() >= 2 && constants[0].is_number() && constants[1].is_number();
-	return are_known ? times_problem(operation, constants[0].number, constants[1].number) : std::nullopt;
+std::optional<CallProblem> check_times(const KnownCall &call) {
+	const auto times = call.arguments;
+	return times[0].is_number() && times[1].is_number() ? times_problem(call.operation, times[0].number, times[1].number) : std::nullopt;
 }
 
-std::optional<CallProblem> check_building_entry(std::string_view operation, std::span<const Value> constants) {
-	if (constants.size() >= 3 && constants[2].is_number() && !(constants[2].number >= 0.0)) {
-		return no_building(operation, constants[2].number);
+std::optional<CallProblem> check_building_entry(const KnownCall &call) {
+	if (call.arguments[2].is_number() && !(call.arguments[2].number >= 0.0)) {
+		return no_building(call.operation, call.arguments[2].number);
 	}
-	return check_times(operation, constants);
+	return check_times(call);
 }
 
-std::optional<CallProblem> check_duration(std::string_view, std::span<const Value> constants) {
-	if (constants.empty() || !constants[0].is_number()) {
+std::optional<CallProblem> check_duration(const KnownCall &call) {
+	if (!call.arguments[0].is_number()) {
 		return std::nullopt;
 	}
-	const bool has_priority = constants.size() >= 3 && constants[2].is_number();
-	return duration_problem(constants[0].number, has_priority ? constants[2].number : 0.0);
+	const bool has_priority = call.arguments.size() >= 3 && call.arguments[2].is_number();
+	return duration_problem(call.arguments[0].number, has_priority ? call.arguments[2].number : 0.0);
+}
+
+std::optional<CallProblem> check_moment(const KnownCall &call) {
+	return call.arguments[0].is_number() ? moment_problem(call.operation, call.arguments[0].number) : std::nullopt;
 }
 
 } // namespace pcg::agenda

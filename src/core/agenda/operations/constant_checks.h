@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string_view>
 
 #include "core/lang/dialect.h"
@@ -12,11 +11,13 @@ namespace pcg::agenda {
 // Of start and end in seconds of the day. An entry of more than a day is cut, with all others nothing is inserted.
 std::optional<CallProblem> times_problem(std::string_view operation, double start, double end);
 std::optional<CallProblem> duration_problem(double duration, double priority);
+std::optional<CallProblem> moment_problem(std::string_view operation, double time);
 CallProblem no_building(std::string_view operation, double number);
 
 // For OperationSpec::check.
-std::optional<CallProblem> check_times(std::string_view operation, std::span<const Value> constants); // (t0, t1, ..)
-std::optional<CallProblem> check_building_entry(std::string_view operation, std::span<const Value> constants); // (t0, t1, building)
-std::optional<CallProblem> check_duration(std::string_view operation, std::span<const Value> constants); // (duration, rule [, priority])
+std::optional<CallProblem> check_times(const KnownCall &call); // (t0, t1, ..)
+std::optional<CallProblem> check_building_entry(const KnownCall &call); // (t0, t1, building)
+std::optional<CallProblem> check_duration(const KnownCall &call); // (duration, rule [, priority])
+std::optional<CallProblem> check_moment(const KnownCall &call); // (time, ..)
 
 } // namespace pcg::agenda

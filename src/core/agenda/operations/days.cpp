@@ -70,13 +70,28 @@ std::optional<DayMask> days_mask(std::string_view text, std::string_view &culpri
 }
 
 CallProblem unknown_day(std::string_view culprit) {
-	return { "unknown-day", "'" + std::string(culprit) + "' is no day", "days are mon tue wed thu fri sat sun, as in \"mon-fri\" or \"sat,sun\"" };
+	return { "unknown-day", "'" + std::string(culprit) + "' is no day, so nothing is inserted there",
+		"days are mon tue wed thu fri sat sun, as in \"mon-fri\" or \"sat,sun\"", 0 };
 }
 
-std::optional<CallProblem> check_days(std::string_view, std::span<const Value> constants) {
+// Rules that are called from within may have days of their own; what stands there itself could be left out.
+std::optional<CallProblem> check_days(const KnownCall &call) {
+	if (!call.arguments[0].is_text()) {
+		return std::nullopt;
+	}
 	std::string_view culprit;
-	const bool is_known = constants[0].is_text();
-	return is_known && !days_mask(constants[0].text->view, culprit) ? std::optional(unknown_day(culprit)) : std::nullopt;
+	const std::optional<DayMask> mask = days_mask(call.arguments[0].text->view, culprit);
+	if (!mask) {
+		return unknown_day(culprit);
+	}
+	DayMask outer = all_days;
+	for (const Value &around : call.around) {
+		outer &= around.is_text() ? days_mask(around.text->view, culprit).value_or(all_days) : all_days;
+	}
+	if (outer == 0 || (outer & *mask) != 0) {
+		return std::nullopt;
+	}
+	return CallProblem{ "no-days", "these days are none of those around, so nothing is inserted there", "the days around are " + days_text(outer), 0 };
 }
 
 Flow days(Vm &vm, const Args &args) {
@@ -88,8 +103,8 @@ Flow days(Vm &vm, const Args &args) {
 	const std::optional<DayMask> mask = days_mask(args[0].text->view, culprit);
 	if (!mask) {
 		CallProblem problem = unknown_day(culprit);
-		vm.fail(problem.id, std::move(problem.message), std::move(problem.hint));
-		return Flow::Stop;
+		vm.warn(problem.id, std::move(problem.message), std::move(problem.hint));
+		return Flow::Next;
 	}
 	const DayMask outer = context->days();
 	if ((outer & *mask) == 0) {

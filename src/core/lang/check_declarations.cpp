@@ -1,0 +1,65 @@
+#include <algorithm>
+
+#include "core/lang/compiler.h"
+
+// Start rules and annotations.
+namespace pcg {
+
+// Of the main file, or where that has none, of the files that it imports into its own space.
+void Compiler::mark_start_rules() {
+	if (mark_start_rules(true) == 0) {
+		mark_start_rules(false);
+	}
+}
+
+uint32_t Compiler::mark_start_rules(bool in_main_file) {
+	uint32_t count = 0;
+	for (const Definition &definition : _definitions) {
+		const Module &module = _set.modules[definition.module];
+		if (definition.kind != Definition::Kind::Rule || module.space != 0 || (module.file == 0) != in_main_file) {
+			continue;
+		}
+		const std::vector<AstAnnotation> &annotations = definition.item->annotations;
+		const bool is_marked = std::ranges::any_of(annotations, [](const AstAnnotation &annotation) { return annotation.name == "StartRule"; });
+		if (is_marked || definition.item->is_start) {
+			_program->rules[definition.index].is_start = true;
+			_program->start_rule = count++ == 0 ? RuleId(definition.index) : _program->start_rule;
+			check_start_rule(definition);
+		}
+	}
+	return count;
+}
+
+// Where hosts begin at one rule without asking (PCG language, section 1). CGA's name the one they want.
+void Compiler::check_start_rule(const Definition &definition) {
+	if (!is_strict()) {
+		return;
+	}
+	open_scope(definition);
+	const RuleInfo &first = _program->rules[index_of(_program->start_rule)];
+	const std::string name = "`" + definition.name + "`";
+	if (first.name != definition.name || first.params.size() != definition.param_count) {
+		error("several-start-rules", definition.offset, name + " is marked @StartRule, and `" + first.name + "` in line " + std::to_string(first.place.line) + " is, too",
+				"leave the mark at one of them");
+	} else if (definition.param_count > 0) {
+		error("start-rule-parameters", definition.offset, "the start rule " + name + " has parameters, and nobody there to give their values",
+				"let a rule without parameters call it, and mark that one @StartRule");
+	}
+}
+
+// Hosts of other languages have annotations of their own; where the dialect lists what it knows, another one is misspelt.
+void Compiler::check_annotations() {
+	for (size_t i = 0; i < _definitions.size() && !_dialect.annotations.empty(); ++i) {
+		open_scope(_definitions[i]);
+		for (const AstAnnotation &annotation : _definitions[i].item->annotations) {
+			if (std::ranges::find(_dialect.annotations, annotation.name) != _dialect.annotations.end()) {
+				continue;
+			}
+			const std::string_view closest = closest_name(annotation.name, _dialect.annotations);
+			warn("unknown-annotation", annotation.offset, "there is no annotation `@" + std::string(annotation.name) + "`; it means nothing",
+					closest.empty() ? std::string() : "did you mean `@" + std::string(closest) + "`?");
+		}
+	}
+}
+
+} // namespace pcg
