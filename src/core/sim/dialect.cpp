@@ -57,6 +57,10 @@ std::optional<CallProblem> check_seconds(std::string_view operation, std::span<c
 	if (!constants[0].is_number() || (constants[0].number > 0.0 && std::isfinite(constants[0].number))) {
 		return std::nullopt;
 	}
+	if (constants[0].number > 0.0) {
+		return CallProblem{ "no-length", "'" + std::string(operation) + "' never ends: the time is infinite",
+			"waitUntilNextTask() waits until the time of the rule is over" };
+	}
 	return CallProblem{ "no-length", "'" + std::string(operation) + "' does not wait: the time is not above 0", "it is a span in seconds, as in 10m" };
 }
 
