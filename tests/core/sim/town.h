@@ -27,6 +27,7 @@ constexpr SimTime moment(int day, int hours, int minutes = 0, int seconds = 0) {
 struct Town {
 	CityModel city;
 	StraightLinePaths paths{ city };
+	const PathProvider *ground = &paths;
 	Population population;
 	std::vector<std::vector<Task>> tasks;
 	std::vector<std::vector<FloatingTask>> floating_tasks;
@@ -140,7 +141,7 @@ struct Town {
 		agendas.first_floating_task.push_back(uint32_t(agendas.floating_tasks.size()));
 		agendas.groups = groups;
 		_simulation =
-				std::make_unique<Simulation>(city, paths, population, agendas, program, settings, host);
+				std::make_unique<Simulation>(city, *ground, population, agendas, program, settings, host);
 		return *_simulation;
 	}
 
