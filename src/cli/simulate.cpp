@@ -156,6 +156,7 @@ std::string summary_json(const Simulation &simulation, const InvariantChecker &c
 	text += ",\n \"late_arrivals\": " + number(figures.late_arrivals);
 	text += ",\n \"rules_failed\": " + number(figures.count(SimEventKind::RuleFailed));
 	text += ",\n \"patience_ran_out\": " + number(figures.count(SimEventKind::PatienceRanOut));
+	text += ",\n \"children_alone_after_waiting\": " + number(checker.children_alone_after_waiting());
 	text += ",\n \"unreachable\": " + number(figures.count(SimEventKind::Unreachable));
 	text += ",\n \"broken_promises\": {";
 	for (size_t i = 0; i < promise_count; ++i) {

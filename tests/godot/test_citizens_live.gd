@@ -190,6 +190,22 @@ func test_the_game_takes_somebody_over_and_gives_it_back() -> void:
 	_check_promises()
 
 
+func test_who_is_given_back_where_nobody_can_walk_finds_its_way() -> void:
+	_begin(10.0)
+	for off: Vector3 in [Vector3(0, 5, 0), Vector3(0, -3, 0), Vector3(6, 0, 6), Vector3(-7, 2, -7)]:
+		_citizens.jump_to(0, 10 * HOUR)
+		var at: Vector3 = _citizens.get_person(3)["position"] + off
+		check(_citizens.take_over(3), "the game has it")
+		check(_citizens.place_taken(3, at), "and puts it elsewhere")
+		check(_citizens.release(3), "gives it back")
+		check_equal(_citizens.get_person(3)["state"], "walking", "it sets out")
+		check_near(_citizens.get_person(3)["position"].distance_to(at), 0.0, 0.001, "from where it is")
+		for i: int in 60:
+			_citizens.advance(30.0)
+		check_equal(_citizens.get_person(3)["state"], "inside", "it is where it should be")
+	_check_promises()
+
+
 func test_people_come_and_go() -> void:
 	_begin(9.0)
 	var before: int = _citizens.get_statistics()["persons"]

@@ -102,6 +102,9 @@ public:
 	bool is_paused() const { return _is_paused; }
 	// Ends a paused run for good: groups are popped, locals forgotten.
 	void abandon();
+	// Gives up the frames of rules that have nothing left to do, since their last command called the rule that runs: so a loop of rules can go on for
+	// ever. For a host that is about to pause the run, with Locals::Dynamic only.
+	void drop_finished_callers();
 	// Of a paused run: a copy of it as data, and back into a Vm of the same program and host. False: the state is of another program or damaged.
 	VmState save() const;
 	bool restore(const VmState &state);
@@ -174,6 +177,8 @@ private:
 	};
 
 	Stop run();
+	bool only_ends(uint32_t address) const;
+	void drop_repeated_trail();
 	bool enter(uint32_t callable, uint32_t count, uint32_t return_address, VmFrame::Kind kind);
 	bool enter_native(Border &border);
 	void leave_native(const Border &border);

@@ -176,6 +176,12 @@ void NavMeshPaths::find_path(glm::vec3 from, glm::vec3 to, std::vector<glm::vec3
 	}
 }
 
+bool NavMeshPaths::nearest_walkable(glm::vec3 from, glm::vec3 &point) const {
+	const NavPoint found = _mesh.nearest(from, std::numeric_limits<float>::infinity());
+	point = found.position;
+	return found.is_on_mesh();
+}
+
 double NavMeshPaths::measure_zone(PathFinder &finder, const Stop &from, const Zone &zone, double limit, glm::vec3 &entry) const {
 	std::vector<glm::vec3> candidates = { nearest_point(zone, from.position), centroid(zone) };
 	candidates.insert(candidates.end(), zone.polygon.begin(), zone.polygon.end());

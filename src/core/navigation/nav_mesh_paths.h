@@ -27,6 +27,7 @@ public:
 	BuildingId nearest_building(TypeId type, BuildingId from) const override;
 	// The same points in both directions.
 	void find_path(glm::vec3 from, glm::vec3 to, std::vector<glm::vec3> &points) const override;
+	bool nearest_walkable(glm::vec3 from, glm::vec3 &point) const override;
 	// People enter at the point of the zone nearest to them as the crow flies, where that can be reached, else at its middle or at a corner.
 	ZoneId nearest_zone(TypeId type, glm::vec3 from, glm::vec3 &entry) const override;
 

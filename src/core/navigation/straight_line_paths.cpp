@@ -40,6 +40,11 @@ BuildingId StraightLinePaths::nearest_building(TypeId type, BuildingId from) con
 
 void StraightLinePaths::find_path(glm::vec3 from, glm::vec3 to, std::vector<glm::vec3> &points) const { points.assign({ from, to }); }
 
+bool StraightLinePaths::nearest_walkable(glm::vec3 from, glm::vec3 &point) const {
+	point = from;
+	return true;
+}
+
 ZoneId StraightLinePaths::nearest_zone(TypeId type, glm::vec3 from, glm::vec3 &entry) const {
 	ZoneId nearest = ZoneId::Invalid;
 	float best = std::numeric_limits<float>::infinity();

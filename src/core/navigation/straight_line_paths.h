@@ -14,6 +14,7 @@ public:
 	double distance(BuildingId from, BuildingId to) const override;
 	BuildingId nearest_building(TypeId type, BuildingId from) const override;
 	void find_path(glm::vec3 from, glm::vec3 to, std::vector<glm::vec3> &points) const override;
+	bool nearest_walkable(glm::vec3 from, glm::vec3 &point) const override;
 	ZoneId nearest_zone(TypeId type, glm::vec3 from, glm::vec3 &entry) const override;
 
 private:

@@ -25,6 +25,8 @@ public:
 		find_path(from, to, points);
 		return points;
 	}
+	// The point nearest to `from` where people can walk, however far away; false if there is none.
+	virtual bool nearest_walkable(glm::vec3 from, glm::vec3 &point) const = 0;
 	// The zone of the type whose nearest point is closest to walk to, and that point; Invalid if none.
 	virtual ZoneId nearest_zone(TypeId type, glm::vec3 from, glm::vec3 &entry) const = 0;
 };

@@ -10,8 +10,9 @@ namespace pcg {
 
 namespace {
 
-// A rule that loops without ever waiting must not hold the simulation up.
+// A rule that loops without ever waiting must not hold the simulation up: loops that take less than `shortest_rest` a round end at max_depth.
 constexpr VmLimits behavior_limits{ .max_depth = 1000, .max_steps = 1'000'000, .max_stack = 4096 };
+constexpr Duration shortest_rest = Duration{ 1000 };
 constexpr uint64_t rule_stream = 0x72756C65; // keeps draws of rules apart from those for floating slots
 constexpr float arm_length = 0.01f; // metres within which a person stands at its place
 
@@ -70,17 +71,25 @@ bool Behavior::restore(const SavedBehavior &saved) {
 	return true;
 }
 
+// Until the person's due moment.
+Flow Behavior::pause() {
+	if (_simulation.record(_person).due >= _simulation.now() + shortest_rest) {
+		_vm.drop_finished_callers();
+	}
+	return Flow::Pause;
+}
+
 Flow Behavior::wait(double seconds) {
 	if (!(seconds > 0.0)) {
 		return Flow::Next;
 	}
 	_simulation.record(_person).due = _simulation.now() + Duration::seconds(seconds);
-	return Flow::Pause;
+	return pause();
 }
 
 Flow Behavior::wait_until_next_task() {
 	_simulation.record(_person).due = never;
-	return Flow::Pause;
+	return pause();
 }
 
 Flow Behavior::stay_inside(double seconds) {
@@ -101,7 +110,7 @@ Flow Behavior::go_to_building(double number) {
 	if (record.state == PersonState::Inside && record.target().building() == building) {
 		return Flow::Next;
 	}
-	return _simulation.go_to_building(_person, building, Purpose::Rule) ? Flow::Pause : Flow::Stop;
+	return _simulation.go_to_building(_person, building, Purpose::Rule) ? pause() : Flow::Stop;
 }
 
 Flow Behavior::go_to_zone(const Text &type) {
@@ -111,12 +120,15 @@ Flow Behavior::go_to_zone(const Text &type) {
 	ZoneId zone = ZoneId::Invalid;
 	if (is_valid(id) && present_position(position)) {
 		zone = paths().nearest_zone(id, position, entry);
+		if (!is_valid(zone) && _simulation.is_outside(_person) && paths().nearest_walkable(position, position)) {
+			zone = paths().nearest_zone(id, position, entry); // it is where nobody can walk
+		}
 	}
 	if (!is_valid(zone)) {
 		_simulation.emit(_person, SimEventKind::Unreachable);
 		return Flow::Stop;
 	}
-	return _simulation.go_to_point(_person, target_of(zone), entry, Purpose::Rule) ? Flow::Pause : Flow::Stop;
+	return _simulation.go_to_point(_person, target_of(zone), entry, Purpose::Rule) ? pause() : Flow::Stop;
 }
 
 bool Behavior::find_object(double number, ObjectId &object) {
@@ -135,7 +147,7 @@ Flow Behavior::go_to_object(double number) {
 	}
 	const Place &place = city().object(object).places[_simulation.record(_person).object_place];
 	const bool goes = _simulation.go_to_point(_person, target_of(object), place.position, Purpose::Rule);
-	return goes ? Flow::Pause : Flow::Stop;
+	return goes ? pause() : Flow::Stop;
 }
 
 Flow Behavior::interact(double number, std::string_view action) {
@@ -146,13 +158,16 @@ Flow Behavior::interact(double number, std::string_view action) {
 	_pose = action == "sit" ? AgentPose::Sit : AgentPose::Stand;
 	const PersonRecord &record = _simulation.record(_person);
 	const Place &place = city().object(object).places[record.object_place];
+	if (record.pose == AgentPose::Sit && _pose == AgentPose::Sit) {
+		return Flow::Next; // on that seat: it has reserved no other
+	}
 	if (record.state != PersonState::Inside && glm::distance(record.position, place.position) <= arm_length) {
 		_simulation.use_place(_person, _pose);
 		return Flow::Next;
 	}
 	_uses_on_arrival = true;
 	const bool goes = _simulation.go_to_point(_person, target_of(object), place.position, Purpose::Rule);
-	return goes ? Flow::Pause : Flow::Stop;
+	return goes ? pause() : Flow::Stop;
 }
 
 Value Behavior::day(Vm &) { return Value::of(double(_simulation.now().weekday())); }

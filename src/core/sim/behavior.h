@@ -51,6 +51,7 @@ public:
 
 private:
 	PersonId person() const { return _person; }
+	Flow pause();
 	bool find_object(double number, ObjectId &object);
 
 	Simulation &_simulation;

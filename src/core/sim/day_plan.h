@@ -13,6 +13,7 @@ namespace pcg {
 // One entry on one day, or a hole.
 struct PlannedEntry {
 	static constexpr uint16_t hole = 0xFFFF;
+	static constexpr uint16_t gone = 0xFFFE; // lived, but not in the agenda any more
 
 	SimTime start; // of a hole: the end of the entry before it, or a week ago if there is none
 	SimTime end; // of a hole: the start of the next entry, or a week later if there is none

@@ -58,6 +58,10 @@ std::optional<CallProblem> check_seconds(const KnownCall &call) {
 	if (!seconds.is_number() || (seconds.number > 0.0 && std::isfinite(seconds.number))) {
 		return std::nullopt;
 	}
+	if (seconds.number > 0.0) {
+		return CallProblem{ "no-length", "'" + std::string(call.operation) + "' never ends: the time is infinite",
+			"waitUntilNextTask() waits until the time of the rule is over" };
+	}
 	return CallProblem{ "no-length", "'" + std::string(call.operation) + "' does not wait: the time is not above 0", "it is a span in seconds, as in 10m" };
 }
 

@@ -82,8 +82,6 @@ void InvariantChecker::complain(Promise promise, PersonId id, SimTime time, std:
 void InvariantChecker::begin_life(SimTime time) {
 	_is_alive = true;
 	_life_start = time;
-	_leaders_walks.clear();
-	_childrens_walks.clear();
 	for (uint32_t i = 0; i < _lives.size(); ++i) {
 		begin_life_of(PersonId(i), time);
 	}
@@ -94,14 +92,17 @@ void InvariantChecker::begin_life_of(PersonId id, SimTime time) {
 	Life &known = life(id);
 	known = Life();
 	known.span_end = time;
-	known.set_out = SimTime{ std::numeric_limits<int64_t>::min() }; // not known of walks in progress
 	known.span_position = view.position;
 	known.span_state = view.state;
 	known.inside = view.state == PersonState::Inside ? view.place.building() : BuildingId::Invalid;
 	known.span_building = known.inside;
 	known.is_taken = view.presence == Presence::Taken;
 	known.is_gone = view.presence == Presence::Removed;
-	known.is_stuck = true; // whether it was told so before is not known; until its next entry
+	known.begin = known.set_out = time;
+	if (view.state == PersonState::Walking) {
+		known.set_out = view.arrival - Duration::seconds(path_length(view.path) / double(view.speed));
+		known.walks_alone = !is_valid(view.leader) || known.set_out < view.entry.start;
+	}
 }
 
 // Who comes, goes, or is the game's for a while.
@@ -120,7 +121,6 @@ void InvariantChecker::note_presence(const SimEvent &event) {
 			break;
 		case SimEventKind::Released:
 			life(event.person).is_taken = false;
-			life(event.person).released = event.time;
 			life(event.person).span_position = event.position;
 			life(event.person).seen_time = never;
 			break;
@@ -138,12 +138,14 @@ void InvariantChecker::on_event(const SimEvent &event) {
 	note_presence(event);
 	Life &known = life(event.person);
 	switch (event.kind) {
-		case SimEventKind::TaskStarted:
-			known.is_stuck = false;
-			break;
 		case SimEventKind::Unreachable:
-		case SimEventKind::GoalChanged: // perhaps its building is gone
-			known.is_stuck = true;
+			known.without_way = event.time;
+			break;
+		case SimEventKind::GoalChanged:
+			known.goal_changed = event.time;
+			break;
+		case SimEventKind::PatienceRanOut:
+			known.gave_up_waiting = event.time;
 			break;
 		case SimEventKind::EnteredBuilding:
 			if (is_valid(known.inside)) {
@@ -157,17 +159,21 @@ void InvariantChecker::on_event(const SimEvent &event) {
 			}
 			known.inside = BuildingId::Invalid;
 			known.left_by = event.position;
-			if (!is_near_door(event.place.building(), event.position, tolerance) &&
-					double(glm::distance(event.position, known.span_position)) > tolerance) {
-				complain(Promise::NoTeleport, event.person, event.time, "leaves a building where it has no door");
-			}
+			check_door(event);
 			break;
 		case SimEventKind::SetOut:
-			known.set_out = event.time;
+			note_walk_begin(event);
 			check_walk(event);
 			break;
 		default:
 			break;
+	}
+}
+
+void InvariantChecker::check_door(const SimEvent &event) {
+	if (!is_near_door(event.place.building(), event.position, tolerance) &&
+			double(glm::distance(event.position, life(event.person).span_position)) > tolerance) {
+		complain(Promise::NoTeleport, event.person, event.time, "leaves a building where it has no door");
 	}
 }
 
@@ -226,7 +232,9 @@ void InvariantChecker::on_lived(const LivedSpan &span) {
 	if (!known.is_taken) {
 		check_continuity(span, known);
 	}
-	note_group_walk(span);
+	if (span.state == PersonState::Walking) {
+		note_child(span);
+	}
 	known.span_end = span.end;
 	known.span_position = span.position;
 	known.span_state = span.state;
@@ -250,145 +258,6 @@ void InvariantChecker::check_continuity(const LivedSpan &span, Life &known) {
 	const double speed = double(_simulation.population().person(span.person).walking_speed);
 	if (walks && double(glm::distance(start, span.position)) > (span.end - span.start).in_seconds() * speed + tolerance) {
 		complain(Promise::NoTeleport, span.person, span.end, "walks faster than it can");
-	}
-}
-
-void InvariantChecker::note_group_walk(const LivedSpan &span) {
-	if (span.state != PersonState::Walking || span.entry.kind != TaskKind::Accompany || span.entry.is_hole() ||
-			span.entry.target >= _simulation.agendas().groups.size()) {
-		return;
-	}
-	const Group &group = _simulation.agendas().groups[span.entry.target];
-	const GroupWalk walk{ span.person, group.leader, span.start, span.end, span.position };
-	if (span.person == group.leader) {
-		_leaders_walks.push_back(walk);
-		return;
-	}
-	const bool is_child = _simulation.population().person(span.person).age < 18.0f;
-	const bool is_own_walk = life(span.person).set_out < span.entry.start; // to the same building, begun before the group's time
-	const Life &leader = life(group.leader);
-	const Life &child = life(span.person);
-	const bool was_led_away = leader.is_taken || leader.is_gone || child.set_out < leader.released; // by the game
-	const bool was_away = child.is_taken || child.is_gone || child.released >= span.entry.start;
-	if (is_child && span.place == target_of(group.goal) && !is_own_walk && !was_led_away && !was_away) {
-		_childrens_walks.push_back(walk);
-	}
-}
-
-void InvariantChecker::check_children() {
-	for (const GroupWalk &walk : _childrens_walks) {
-		const bool is_with_leader =
-				std::any_of(_leaders_walks.begin(), _leaders_walks.end(), [&](const GroupWalk &leaders) {
-					return leaders.person == walk.leader && leaders.start <= walk.start && leaders.end >= walk.end &&
-							double(glm::distance(leaders.position, walk.position)) <= tolerance;
-				});
-		if (!is_with_leader) {
-			complain(Promise::NoChildAlone, walk.person, walk.start, "walks to the group's goal without the leader");
-		}
-	}
-	_childrens_walks.clear();
-	_leaders_walks.clear();
-}
-
-void InvariantChecker::check() {
-	for (uint32_t i = 0; i < _lives.size(); ++i) {
-		const PersonView view = _simulation.view(PersonId(i));
-		if (_lives[i].is_gone || _lives[i].is_taken) {
-			continue;
-		}
-		check_position(PersonId(i), view);
-		check_building(PersonId(i), view);
-	}
-	check_seats();
-	check_counts();
-	check_children();
-}
-
-void InvariantChecker::check_position(PersonId id, const PersonView &view) {
-	Life &known = life(id);
-	const SimTime now = _simulation.now();
-	const double speed = double(_simulation.population().person(id).walking_speed);
-	const BuildingId inside = view.state == PersonState::Inside ? view.place.building() : BuildingId::Invalid;
-	if (known.seen_time != never) {
-		const double reach = (now - known.seen_time).in_seconds() * speed + tolerance;
-		const bool is_near = double(glm::distance(view.position, known.seen_position)) <= reach;
-		const bool by_door = (is_valid(known.seen_building) && is_near_door(known.seen_building, view.position, reach)) ||
-				(is_valid(inside) && is_near_door(inside, known.seen_position, reach));
-		const bool both_inside = is_valid(inside) && is_valid(known.seen_building);
-		if (!is_near && !by_door && !(both_inside && inside == known.seen_building)) {
-			complain(Promise::NoTeleport, id, now, "is further from where it was than it can walk");
-		}
-	}
-	if (known.inside != inside) {
-		complain(Promise::NoTwoPlaces, id, now, "is not where it was seen going in");
-	}
-	known.seen_position = view.position;
-	known.seen_time = now;
-	known.seen_state = view.state;
-	known.seen_building = inside;
-}
-
-void InvariantChecker::check_building(PersonId id, const PersonView &view) {
-	const PlannedEntry entry = _simulation.plan_at(id, _simulation.now());
-	const bool is_stay = entry.kind == TaskKind::StayInside || entry.kind == TaskKind::GoToBuilding;
-	const bool is_with_late_group = is_valid(view.leader);
-	if (!is_stay || life(id).is_stuck || is_with_late_group) {
-		return;
-	}
-	const BuildingId wanted = entry.is_hole() ? _simulation.population().home_of(id) : BuildingId(entry.target);
-	const bool is_there_or_coming = (view.state == PersonState::Inside || view.state == PersonState::Walking) &&
-			view.place.building() == wanted;
-	if (!is_there_or_coming) {
-		complain(Promise::RightBuilding, id, _simulation.now(),
-				"should be inside building " + std::to_string(index_of(wanted)) + " or on the way there");
-	}
-}
-
-void InvariantChecker::check_seats() {
-	struct Seat {
-		uint32_t object, place, person;
-		auto operator<=>(const Seat &) const = default;
-	};
-	std::vector<Seat> seats;
-	for (uint32_t i = 0; i < _lives.size(); ++i) {
-		const PersonView view = _simulation.view(PersonId(i));
-		if (view.state == PersonState::AtPlace && is_valid(view.place.object())) {
-			seats.push_back({ view.place.index, view.object_place, i });
-		}
-	}
-	std::sort(seats.begin(), seats.end());
-	for (size_t i = 1; i < seats.size(); ++i) {
-		const glm::vec3 a = _simulation.position(PersonId(seats[i - 1].person));
-		const glm::vec3 b = _simulation.position(PersonId(seats[i].person));
-		const bool is_same_object = seats[i].object == seats[i - 1].object;
-		if (is_same_object && (seats[i].place == seats[i - 1].place || double(glm::distance(a, b)) <= tolerance)) {
-			complain(Promise::NoDoubleSeat, PersonId(seats[i].person), _simulation.now(),
-					"shares a place with person " + number_text(_simulation.settings().numbers.persons, PersonId(seats[i - 1].person)));
-		}
-	}
-}
-
-void InvariantChecker::check_counts() {
-	std::vector<uint32_t> counts(_simulation.city().buildings().size());
-	for (const Life &known : _lives) {
-		if (index_of(known.inside) < counts.size()) {
-			++counts[index_of(known.inside)];
-		}
-	}
-	for (uint32_t i = 0; i < counts.size(); ++i) {
-		if (counts[i] != _simulation.inside_count(BuildingId(i))) {
-			complain(Promise::RightBuilding, PersonId::Invalid, _simulation.now(),
-					"building " + std::to_string(i) + " does not count who went in and out");
-		}
-	}
-}
-
-void InvariantChecker::finish() {
-	check();
-	for (uint32_t i = 0; i < _lives.size(); ++i) {
-		if (_lives[i].span_end != _simulation.now() && !_lives[i].is_gone) {
-			complain(Promise::DayCovered, PersonId(i), _simulation.now(), "its life was told only in part");
-		}
 	}
 }
 

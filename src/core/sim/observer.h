@@ -45,7 +45,7 @@ enum class SimEventKind : uint8_t {
 	EnteredBuilding,
 	SetOut, // a walk began; `place` = its goal
 	Arrived, // at a zone, an object or another person
-	UsedObject, // took a place of it: sat down
+	UsedObject, // sat down on a place of it, or used it standing
 	LeftObject,
 	FloatingTaskStarted,
 	RuleEnded, // a delayed rule or floating task came to its own end

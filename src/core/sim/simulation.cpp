@@ -88,6 +88,8 @@ void Simulation::on_due(PersonId id) {
 		lose_patience(id);
 	} else if (person.behavior != PersonRecord::none) {
 		resume_rule(id);
+	} else {
+		try_again(id);
 	}
 }
 
@@ -154,10 +156,16 @@ PersonView Simulation::view(PersonId id) const {
 		result.speed = walk.speed;
 		result.path = walk.points;
 	} else if (person.state == PersonState::AtPlace && person.object_place != Reservations::none) {
+		const std::vector<Place> &places = _city.object(ObjectId(person.reserved_object)).places;
 		result.object_place = person.object_place;
-		result.facing = _city.object(ObjectId(person.reserved_object)).places[person.object_place].facing;
+		result.facing = person.object_place < places.size() ? places[person.object_place].facing : result.facing; // it may be gone since
 	}
 	return result;
+}
+
+bool Simulation::is_stranded(PersonId id) const {
+	const PersonRecord &person = record(id);
+	return person.state == PersonState::Waiting && !person.is_absent() && !person.is_in_group() && person.behavior == PersonRecord::none;
 }
 
 uint32_t Simulation::inside_count(BuildingId building) const {

@@ -44,6 +44,9 @@ struct SimulationSettings {
 	bool has_live_bodies = true; // false: AgentHost is never called
 };
 
+// Whoever finds no way to where it should be tries again this often, and after every edit of the city.
+constexpr Duration retry_pause = Duration::minutes(5);
+
 // What somebody does right now. Spans and references hold until the simulation moves on.
 struct PersonView {
 	PersonState state = PersonState::Inside;
@@ -106,7 +109,8 @@ public:
 	bool take_over(PersonId id);
 	// Where the game has a person whom it took over. False: it did not.
 	bool place_taken(PersonId id, glm::vec3 position);
-	// Gives it back: it gets a body where it is and goes on with its agenda from there.
+	// Gives it back: it gets a body where it is and goes on with its agenda from there; who is where nobody can walk goes straight to the nearest
+	// point where people can. False: the game does not have it.
 	bool release(PersonId id);
 	// Gone for good; its id stays. False: it is not there.
 	bool remove_person(PersonId id);
@@ -121,10 +125,16 @@ public:
 	uint32_t inside_count(BuildingId building) const;
 	std::vector<PersonId> persons_inside(BuildingId building) const;
 	std::vector<PersonId> persons_outside() const;
+	// Stands outdoors without a rule or a group that wants it to: there is no way to where it should be.
+	bool is_stranded(PersonId id) const;
 	bool is_living(PersonId id) const { return index_of(id) < _persons.size() && !record(id).is_absent(); }
 	// The entry or hole of its agenda that holds at that time.
 	PlannedEntry plan_at(PersonId id, SimTime time) const { return planned_entry_at(_agendas.agenda_of(id), time); }
 	bool is_place_free(ObjectId object) const { return _reservations.is_free(_city, object); }
+	// Who has that place, on the way there included; Invalid: nobody.
+	PersonId place_holder(ObjectId object, uint8_t place) const { return _reservations.holder(object, place); }
+	// False: the city was edited since the last step, which people hear of with the next one.
+	bool knows_city() const { return _city_revision == _city.revision(); }
 
 	const SimulationStatistics &statistics() const { return _statistics; }
 	// Run-time errors of delayed rules and the like: a missing type once, everything else once for each place in the rules.
@@ -168,6 +178,7 @@ private:
 	bool go_to_point(PersonId id, Target goal, glm::vec3 point, Purpose purpose);
 	bool has_just_come_in(PersonId id) const;
 	void find_starts(PersonId id, std::span<const PersonId> companions);
+	void find_shortest_way(std::span<const glm::vec3> goals);
 	const std::vector<glm::vec3> &find_way(PersonId id, std::span<const glm::vec3> goals, std::span<const PersonId> companions = {});
 	void set_out(PersonId id, uint32_t walk, Target goal, Purpose purpose);
 	void find_doors(BuildingId building, std::vector<glm::vec3> &doors) const;
@@ -190,6 +201,9 @@ private:
 	void begin_slot(PersonId id);
 	void resume_rule(PersonId id);
 	void end_rule(PersonId id, SimEventKind how);
+	BuildingId resting_place(PersonId id) const;
+	void try_again(PersonId id);
+	BuildingId place_until_next(PersonId id) const;
 	void idle_until_next(PersonId id);
 	void note_lateness(PersonId id);
 	uint32_t choose_floating_task(PersonId id) const;
@@ -216,6 +230,7 @@ private:
 	void leave_party(PersonId id);
 
 	// simulation_edits.cpp
+	uint16_t find_lived_entry(PersonId id) const;
 	void mend_goals();
 	bool has_place(const Target &place, const PersonRecord &person, glm::vec3 position) const;
 	void mend_goal(PersonId id);
@@ -237,8 +252,10 @@ private:
 	void end_replay(SimTime time, size_t first_person);
 	SimTime find_anchor(const Household &household, SimTime time) const;
 	bool is_settled(PersonId id, SimTime time, BuildingId &building) const;
+	bool is_pool_full(PersonId id, SimTime time, SimTime &before) const;
 	BuildingId building_of(PersonId id, const PlannedEntry &entry) const;
 	void put_inside(PersonId id, SimTime time);
+	void put_into(PersonId id, BuildingId building);
 	void forget_everything();
 	void show_everybody();
 	void hide_everybody();

@@ -37,6 +37,12 @@ void Simulation::mend_goals() {
 			mend_goal(PersonId(i));
 		}
 	}
+	for (uint32_t i = 0; i < _persons.size(); ++i) {
+		const PersonRecord &person = _persons[i];
+		if (!person.is_absent() && !person.is_in_group() && person.behavior == PersonRecord::none) {
+			try_again(PersonId(i)); // perhaps there is a way now
+		}
+	}
 }
 
 // Whether the place is still where somebody is or comes out.
@@ -94,7 +100,7 @@ void Simulation::mend_goal(PersonId id) {
 	person.due = never;
 	if (person.behavior == PersonRecord::none) {
 		begin_stay(id, place.building());
-		person.due = person.is_in_group() && person.state == PersonState::Waiting ? _now + _settings.patience : person.due;
+		person.due = person.is_in_group() && person.state != PersonState::Walking ? _now + _settings.patience : person.due;
 	} else if (_behaviors[person.behavior]->begin_again() != RunState::Paused) {
 		end_rule(id, SimEventKind::RuleEnded);
 	}
@@ -154,14 +160,22 @@ void Simulation::take_in_agenda(PersonId id) {
 	} else if (goes_on && is_valid(building_of(id, entry))) {
 		goes_on = person.target().building() == building_of(id, entry);
 	}
+	person.entry_task = find_lived_entry(id);
+	person.entry_end = goes_on ? entry.end : _now;
+	if (person.is_in_group() && !goes_on) { // not before the group is over
+		schedule(id);
+		return;
+	}
+	if (!goes_on) {
+		close_span(id); // what was lived so far served the old entry
+	}
 	person.entry_start = entry.start;
 	person.entry_task = entry.task;
 	person.entry_kind = entry.kind;
-	person.entry_end = goes_on ? entry.end : _now;
 	if (person.behavior != PersonRecord::none) {
 		person.rule_end = std::min(person.rule_end, person.entry_end);
 	}
-	if (!goes_on && !person.is_in_group()) {
+	if (!goes_on) {
 		begin_entry(id);
 	}
 	schedule(id);
@@ -186,6 +200,20 @@ void Simulation::change_agendas(const std::function<std::shared_ptr<const Progra
 		begin_entry(id);
 		schedule(id);
 	}
+}
+
+// Where what the person lives is in its new agenda.
+uint16_t Simulation::find_lived_entry(PersonId id) const {
+	const PersonRecord &person = record(id);
+	if (person.is_in_hole()) {
+		return PlannedEntry::hole;
+	}
+	const std::span<const Task> tasks = _agendas.agenda_of(id).on(person.entry_start.day());
+	const auto found = std::find_if(tasks.begin(), tasks.end(), [&](const Task &task) {
+		return task.kind == person.entry_kind && task.start() == person.entry_start.time_of_day() &&
+				((task.days >> person.entry_start.weekday()) & 1);
+	});
+	return found != tasks.end() ? uint16_t(found - tasks.begin()) : PlannedEntry::gone;
 }
 
 // Its rule, group, walk and seat.

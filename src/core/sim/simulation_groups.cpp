@@ -64,24 +64,26 @@ uint32_t Simulation::call_party(uint32_t group, PersonId caller) {
 	return index;
 }
 
-// Whether the group is in the person's agenda on the day of the caller's entry, since newer entries may have removed it, and not over for it: the
-// game may have kept the caller for long.
+// Whether the person still has to begin its entry of the group on the day of the caller's. Newer entries may have removed or cut it; who has begun it and
+// is in no party went there already, with others or alone.
 bool Simulation::is_expected(PersonId id, uint32_t group, PersonId caller) const {
 	if (index_of(id) >= _persons.size() || record(id).is_absent()) {
 		return false;
 	}
-	const SimTime entry_start = record(caller).entry_start;
-	const PlannedEntry present = entry_of(id);
-	if (id != caller && present.kind == TaskKind::Accompany && present.target == group && present.start >= entry_start &&
-			!record(id).is_in_group()) {
-		return false;
-	}
-	for (const Task &task : _agendas.agenda_of(id).on(entry_start.day())) {
-		if (task.kind == TaskKind::Accompany && task.target == group && ((task.days >> entry_start.weekday()) & 1)) {
-			return true;
+	const SimTime begin{ record(caller).entry_start.ms - _agendas.groups[group].start_ms };
+	const SimTime first = SimTime::at(begin.day(), Duration{ _agendas.groups[group].start_ms });
+	SimTime start = never, end = first;
+	for (int64_t day = first.day(); day <= first.day() + 1; ++day) {
+		for (const Task &task : _agendas.agenda_of(id).on(day)) {
+			const SimTime task_start = SimTime::at(day, task.start());
+			const bool is_on = (task.days >> task_start.weekday()) & 1;
+			if (is_on && task.kind == TaskKind::Accompany && task.target == group && task_start < first + one_day) {
+				start = std::min(start, task_start);
+				end = std::max(end, SimTime::at(day, task.end()));
+			}
 		}
 	}
-	return false;
+	return _now < end && (id == caller || record(id).entry_start < start || record(id).entry_end <= _now);
 }
 
 void Simulation::lead_on(uint32_t index) {

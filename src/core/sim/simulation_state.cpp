@@ -165,9 +165,11 @@ bool Simulation::is_sound(const SavedState &state) const {
 	seats.update(_city);
 	for (uint32_t i = 0; i < state.persons.size(); ++i) {
 		const PersonRecord &person = state.persons[i];
-		const bool has_seat = person.reserved_object != none;
-		if (!is_sound(state, PersonId(i)) ||
-				(has_seat && !seats.put(ObjectId(person.reserved_object), person.object_place, PersonId(i)))) {
+		if (!is_sound(state, PersonId(i))) {
+			return false;
+		}
+		const bool has_seat = person.reserved_object != none && person.object_place < _city.objects()[person.reserved_object].places.size();
+		if (has_seat && !seats.put(ObjectId(person.reserved_object), person.object_place, PersonId(i))) {
 			return false;
 		}
 	}
@@ -202,7 +204,7 @@ bool Simulation::is_sound(const SavedState &state, PersonId id) const {
 	const bool walks_in_group = walks && (person.purpose == Purpose::Group || person.purpose == Purpose::Pickup);
 	const bool has_rule = person.behavior != none;
 	const bool is_in_time = person.queued >= state.now && person.due >= state.now && (person.is_in_group() || person.entry_end >= state.now);
-	const bool has_entry = person.is_in_hole() || person.entry_task < _agendas.agenda_of(id).on(person.entry_start.day()).size();
+	const bool has_entry = person.is_in_hole() || (person.is_in_group() && person.entry_task == PlannedEntry::gone) || person.entry_task < _agendas.agenda_of(id).on(person.entry_start.day()).size();
 	if (!is_finite(person.position) || !is_in_time || !has_entry || !names_a_place(person) || walks != (person.walk != none) ||
 			(walks && person.walk >= state.walks.size()) || (has_rule && person.behavior >= state.behaviors.size()) ||
 			(person.is_in_group() && person.party >= state.parties.size())) {
@@ -232,7 +234,7 @@ bool Simulation::names_a_place(const PersonRecord &person) const {
 	const bool has_place = is_nowhere || person.place < limits[size_t(person.place_kind)];
 	const bool has_object = person.reserved_object == none
 			? person.object_place == Reservations::none
-			: person.reserved_object < _city.objects().size() && person.object_place < _city.objects()[person.reserved_object].places.size();
+			: person.reserved_object < _city.objects().size() && person.object_place != Reservations::none; // which may be gone since
 	return has_place && has_object;
 }
 

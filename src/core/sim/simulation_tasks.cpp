@@ -16,7 +16,9 @@ constexpr uint64_t slot_stream = 0x736C6F74; // keeps draws for floating slots a
 PlannedEntry Simulation::entry_of(PersonId id) const {
 	const PersonRecord &person = record(id);
 	uint32_t target = PersonRecord::none;
-	if (!person.is_in_hole()) {
+	if (person.is_in_group()) {
+		target = _parties[person.party].group;
+	} else if (!person.is_in_hole() && person.entry_task != PlannedEntry::gone) {
 		target = _agendas.agenda_of(id).on(person.entry_start.day())[person.entry_task].target;
 	}
 	return { person.entry_start, person.entry_end, target, person.entry_task, person.entry_kind };
@@ -70,6 +72,40 @@ void Simulation::begin_stay(PersonId id, BuildingId building) {
 		show_standing(id);
 	}
 	release_place(id);
+	person.due = _to_points.empty() ? never : _now + retry_pause; // its doors: without any, it takes an edit
+}
+
+// Where somebody belongs whom neither a rule nor a group leads; Invalid: where it is.
+BuildingId Simulation::resting_place(PersonId id) const {
+	const TaskKind kind = record(id).entry_kind;
+	if (kind == TaskKind::StayInside || kind == TaskKind::GoToBuilding) {
+		return building_of(id, entry_of(id));
+	}
+	if (kind == TaskKind::DelayedRule) { // which is over
+		return place_until_next(id);
+	}
+	if (!is_outside(id)) {
+		return BuildingId::Invalid;
+	}
+	return kind == TaskKind::FloatingSlot ? home_of(id) : place_until_next(id);
+}
+
+// Whoever found no way there goes now if there is one.
+void Simulation::try_again(PersonId id) {
+	PersonRecord &person = record(id);
+	const bool is_stay = person.entry_kind == TaskKind::StayInside || person.entry_kind == TaskKind::GoToBuilding;
+	const bool walks = person.state == PersonState::Walking;
+	const BuildingId goal = resting_place(id);
+	if (!is_valid(goal) || (walks && !is_stay) || (person.target().building() == goal && person.state != PersonState::Waiting)) {
+		return;
+	}
+	find_doors(goal, _to_points);
+	if (!find_way(id, _to_points).empty()) {
+		begin_stay(id, goal);
+	} else if (!walks && !_to_points.empty()) {
+		person.due = _now + retry_pause;
+	}
+	schedule(id);
 }
 
 // See SimulationStatistics::late_arrivals.
@@ -145,13 +181,13 @@ void Simulation::end_rule(PersonId id, SimEventKind how) {
 	}
 }
 
-// On to where the next entry wants the person, if that follows without a hole and is a place; else home.
-void Simulation::idle_until_next(PersonId id) {
-	const PlannedEntry next = plan_at(id, record(id).entry_end);
-	const bool is_stay = next.kind == TaskKind::StayInside || next.kind == TaskKind::GoToBuilding;
-	const BuildingId goal = is_stay ? building_of(id, next) : home_of(id);
-	begin_stay(id, is_valid(goal) ? goal : home_of(id));
+// Where the next entry wants the person, if that follows without a hole and is a place; else home.
+BuildingId Simulation::place_until_next(PersonId id) const {
+	const BuildingId goal = building_of(id, plan_at(id, record(id).entry_end));
+	return is_valid(goal) ? goal : home_of(id);
 }
+
+void Simulation::idle_until_next(PersonId id) { begin_stay(id, place_until_next(id)); }
 
 void Simulation::begin_slot(PersonId id) {
 	const uint32_t chosen = choose_floating_task(id);

@@ -69,13 +69,12 @@ void Simulation::find_starts(PersonId id, std::span<const PersonId> companions) 
 	}
 }
 
-// The shortest way from there to any of `goals`; empty if none can be reached. Holds until the next call.
-const std::vector<glm::vec3> &Simulation::find_way(PersonId id, std::span<const glm::vec3> goals, std::span<const PersonId> companions) {
-	find_starts(id, companions);
+// From any of `_from_points`, into `_best_way`; empty if none can be reached.
+void Simulation::find_shortest_way(std::span<const glm::vec3> goals) {
 	_best_way.clear();
 	if (_from_points.size() == 1 && goals.size() == 1) {
 		way_between(_paths, _from_points[0], goals[0], _best_way);
-		return _best_way;
+		return;
 	}
 	_door_pairs.clear();
 	for (uint32_t from = 0; from < _from_points.size(); ++from) {
@@ -94,6 +93,22 @@ const std::vector<glm::vec3> &Simulation::find_way(PersonId id, std::span<const 
 		if (length < best_length) {
 			best_length = length;
 			std::swap(_best_way, _way);
+		}
+	}
+}
+
+// The shortest way from there to any of `goals`; empty if none can be reached. Whoever is where nobody can walk, since the game put it there or the
+// ground changed, first goes straight to the nearest point where people can. Holds until the next call.
+const std::vector<glm::vec3> &Simulation::find_way(PersonId id, std::span<const glm::vec3> goals, std::span<const PersonId> companions) {
+	find_starts(id, companions);
+	find_shortest_way(goals);
+	if (_best_way.empty() && !goals.empty() && is_outside(id)) {
+		const glm::vec3 here = _from_points[0];
+		if (_paths.nearest_walkable(here, _from_points[0]) && _from_points[0] != here) {
+			find_shortest_way(goals);
+			if (!_best_way.empty()) {
+				_best_way.insert(_best_way.begin(), here);
+			}
 		}
 	}
 	return _best_way;

@@ -7,8 +7,9 @@
 #include "core/sim/simulation.h"
 
 // Time jumps (PCG language, section 8; paper, Algorithm 2). The paper interpolates one walk; here each household is put into the last moment
-// at which all of its members were surely inside a building, and lives from there to the new time by the very same code as ever, so that
-// walks, rules, seats and groups come out as they would have. Households do so one after the other: who comes later finds the seats taken.
+// at which all of its members were surely inside a building, with all of the day's floating tasks before them, and lives from there to the new
+// time by the very same code as ever, so that walks, rules, seats and groups come out as they would have. Households do so one after the other:
+// who comes later finds the seats taken.
 namespace pcg {
 
 namespace {
@@ -60,7 +61,11 @@ void Simulation::forget_everything() {
 	_parties.clear();
 	_free_parties.clear();
 	std::fill(_party_of_group.begin(), _party_of_group.end(), PersonRecord::none);
-	std::fill(_floating_taken.begin(), _floating_taken.end(), never_taken);
+	for (uint32_t i = 0; i < _persons.size(); ++i) { // what those did whom the game has, they did
+		if (!_persons[i].is_absent()) {
+			std::fill(_floating_taken.begin() + _agendas.first_floating_task[i], _floating_taken.begin() + _agendas.first_floating_task[i + 1], never_taken);
+		}
+	}
 	std::fill(_inside_counts.begin(), _inside_counts.end(), 0);
 }
 
@@ -125,7 +130,7 @@ bool Simulation::is_settled(PersonId id, SimTime time, BuildingId &building) con
 	PlannedEntry entry = plan_at(id, time);
 	building = building_of(id, entry);
 	const BuildingId home = home_of(id);
-	if (!is_valid(building) || (building != home && !std::isfinite(_paths.distance(home, building)))) {
+	if (!is_valid(building) || _city.building(building).is_removed || (building != home && !std::isfinite(_paths.distance(home, building)))) {
 		return false;
 	}
 	while (time - entry.start < _settling) {
@@ -137,24 +142,48 @@ bool Simulation::is_settled(PersonId id, SimTime time, BuildingId &building) con
 	return true;
 }
 
+// Whether nobody can have taken a floating task today that the person has left to do: it has had no slot yet. If not, `before` is when its first
+// one began.
+bool Simulation::is_pool_full(PersonId id, SimTime time, SimTime &before) const {
+	const SimTime midnight = SimTime::at(time.day(), {});
+	const std::span<const FloatingTask> pool = _agendas.floating_tasks_of(id);
+	before = time;
+	if (std::none_of(pool.begin(), pool.end(), [&](const FloatingTask &task) { return (task.days >> time.weekday()) & 1; })) {
+		return true;
+	}
+	for (const SimTime day : { midnight - one_day, midnight }) { // a slot of yesterday may last until today
+		for (const Task &task : _agendas.agenda_of(id).on(day.day())) {
+			const bool is_slot = task.kind == TaskKind::FloatingSlot && ((task.days >> day.weekday()) & 1);
+			if (is_slot && day + task.end() > midnight) {
+				before = std::min(before, day + task.start());
+			}
+		}
+	}
+	return before == time;
+}
+
 SimTime Simulation::find_anchor(const Household &household, SimTime time) const {
 	const uint32_t first = index_of(household.first_member);
 	SimTime candidate = time;
 	for (int i = 0; i < anchor_tries && time - candidate < oldest_anchor; ++i) {
-		bool are_settled = true;
+		bool is_good = true;
 		SimTime latest_start{ std::numeric_limits<int64_t>::min() };
+		SimTime earliest_slot = candidate;
 		for (uint32_t member = first; member < first + household.member_count; ++member) {
 			if (_persons[member].is_absent()) {
 				continue;
 			}
 			BuildingId building;
-			are_settled = are_settled && is_settled(PersonId(member), candidate, building);
+			SimTime slot;
+			is_good = is_good && is_settled(PersonId(member), candidate, building);
 			latest_start = std::max(latest_start, plan_at(PersonId(member), candidate).start);
+			is_good = is_pool_full(PersonId(member), candidate, slot) && is_good;
+			earliest_slot = std::min(earliest_slot, slot);
 		}
-		if (are_settled) {
+		if (is_good) {
 			return candidate;
 		}
-		candidate = latest_start - Duration{ 1 };
+		candidate = std::min(latest_start, earliest_slot) - Duration{ 1 };
 	}
 	return time - one_day;
 }
@@ -165,20 +194,36 @@ void Simulation::put_inside(PersonId id, SimTime time) {
 	const PlannedEntry entry = plan_at(id, time);
 	BuildingId building;
 	const bool goes_on = is_settled(id, time, building);
-	building = is_valid(building) && goes_on ? building : home_of(id);
-	person.place_kind = Target::Kind::Building;
-	person.place = index_of(building);
-	if (index_of(building) < _inside_counts.size()) {
-		++_inside_counts[index_of(building)];
-		const EntranceId entrance = _city.entrance_of(building);
-		person.position = is_valid(entrance) ? _city.entrance(entrance).position : glm::vec3(0.0f);
-	}
+	put_into(id, goes_on ? building : home_of(id));
 	person.since = time;
 	person.entry_start = entry.start;
 	person.entry_end = goes_on ? entry.end : time;
 	person.entry_task = entry.task;
 	person.entry_kind = entry.kind;
 	schedule(id);
+}
+
+// Before it where it was removed; into no building where there never was one.
+void Simulation::put_into(PersonId id, BuildingId building) {
+	PersonRecord &person = record(id);
+	if (index_of(building) >= _city.buildings().size()) {
+		return;
+	}
+	if (!_city.building(building).is_removed) {
+		const EntranceId entrance = _city.entrance_of(building);
+		person.place_kind = Target::Kind::Building;
+		person.place = index_of(building);
+		person.position = is_valid(entrance) ? _city.entrance(entrance).position : glm::vec3(0.0f);
+		++_inside_counts[index_of(building)];
+		return;
+	}
+	const std::vector<Entrance> &doors = _city.entrances();
+	const auto door = std::find_if(doors.begin(), doors.end(), [building](const Entrance &entrance) { return entrance.building == building; });
+	if (door != doors.end()) {
+		person.state = PersonState::Waiting;
+		person.position = door->position;
+		change_outside(+1);
+	}
 }
 
 Duration Simulation::longest_walk() const {

@@ -166,6 +166,10 @@ bool CitizenManager::release(int p_person) {
 		return false;
 	}
 	if (move([p_person](Simulation &simulation) { simulation.release(PersonId(p_person)); })) {
+		if (_life->simulation->is_stranded(PersonId(p_person))) {
+			WARN_PRINT(vformat("CitizenManager: person %d was released where no way leads to where its agenda wants it. It stands there and tries again "
+							   "every five minutes and after every edit of the city.", p_person));
+		}
 		tell_news();
 	}
 	return true;

@@ -62,6 +62,28 @@ TEST_CASE("one interpreter serves many waiting runs") {
 	CHECK(host.log[0] != host.log[2]);
 }
 
+TEST_CASE("a host that pauses a loop of rules again and again keeps no frame of those that are over") {
+	Diagnostics diagnostics;
+	const auto program = program_of("Start --> set(a, 1) Loop(1) log(a)\nLoop(n) --> set(a, n) wait(1) case n < 3000: Next else: log(n, a)\n"
+									"Next --> set(b, n) Loop(b + 1)", day_dialect(), diagnostics);
+	REQUIRE(program);
+	LogHost host;
+	Vm vm(*program, host);
+	RunState state = vm.call(program->find_rule("Start"));
+	size_t most_frames = 0, most_trail = 0;
+	while (state == RunState::Paused) {
+		vm.drop_finished_callers();
+		most_frames = std::max(most_frames, vm.save().frames.size());
+		most_trail = std::max(most_trail, vm.save().trail.size());
+		REQUIRE(vm.restore(vm.save()));
+		state = vm.resume();
+	}
+	CHECK(state == RunState::Finished);
+	CHECK(most_frames == 3); // the host's, Start's, which has a log to write, and Loop's
+	CHECK(most_trail <= 5);
+	CHECK(host.text().ends_with("wait 3000,3000 1"));
+}
+
 TEST_CASE("a damaged or foreign state is refused") {
 	Diagnostics diagnostics;
 	const auto program = program_of(rules, day_dialect(), diagnostics);

@@ -105,6 +105,19 @@ TEST_CASE("a path has the asked points as ends, also a little off the mesh, and 
 	CHECK(paths.path({ 1, 0, 1 }, { 1, 0, 1 }).size() == 2);
 }
 
+TEST_CASE("the nearest walkable point is found from any distance") {
+	const NavMesh mesh = mesh_of(walled_world());
+	CityModel city;
+	const NavMeshPaths paths(city, mesh);
+	glm::vec3 point{ 0.0f };
+	CHECK(paths.nearest_walkable({ 0.5f, 40.0f, 0.5f }, point));
+	CHECK(point == glm::vec3(0.5f, 0.0f, 0.5f));
+	CHECK(paths.nearest_walkable({ -3000.0f, 0.0f, 1.5f }, point));
+	CHECK(glm::distance(point, glm::vec3(0.0f, 0.0f, 1.5f)) < 0.001f);
+	const NavMesh empty;
+	CHECK(!NavMeshPaths(city, empty).nearest_walkable({ 0.0f, 0.0f, 0.0f }, point));
+}
+
 TEST_CASE("distances are the lengths of the paths between the doors, on mazes, for any number of threads") {
 	for (uint64_t seed = 0; seed < 10; ++seed) {
 		CAPTURE(seed);

@@ -237,6 +237,39 @@ TEST_CASE("a rule that never waits is stopped") {
 	CHECK(simulation.now() == moment(0, 20));
 }
 
+TEST_CASE("a rule that begins again after each wait goes on all day, and for good") {
+	ParkTown t;
+	t.town.rules("Patrol Patrol --> set(n, 1) wait(20) case n > 0: Look(n) else: wait(1)  Look(n) --> goToZone(\"park\") wait(5) Patrol");
+	const PersonId otto = t.add_person();
+	t.town.delayed(otto, at(0), at(24), "Patrol");
+	Simulation &simulation = t.run(moment(0, 23, 59));
+	CHECK(simulation.diagnostics().list().empty());
+	CHECK(simulation.statistics().count(SimEventKind::RuleEnded) == 0);
+	CHECK(simulation.statistics().count(SimEventKind::SetOut) > 3000); // once in 25 s
+	const size_t bytes = simulation.save().size();
+	simulation.advance_to(moment(0, 23, 59, 50));
+	CHECK(simulation.save().size() <= bytes + 200);
+}
+
+TEST_CASE("a rule that begins again after no time to speak of is stopped") {
+	ParkTown t;
+	t.town.rules("Spin Spin --> wait(0.001) Spin");
+	t.town.delayed(t.add_person(), at(8), at(9), "Spin");
+	Simulation &simulation = t.run();
+	CHECK(simulation.diagnostics().has_errors());
+	CHECK(simulation.statistics().handled_moments < 2000);
+}
+
+TEST_CASE("who sits sits down once") {
+	ParkTown t;
+	t.town.bench(110.0f, 0.0f);
+	t.town.rules("Sit Sit --> interact(0, \"sit\") wait(10) interact(0, \"sit\") wait(10)");
+	t.town.delayed(t.add_person(), at(8), at(9), "Sit");
+	Simulation &simulation = t.run();
+	CHECK(simulation.statistics().count(SimEventKind::UsedObject) == 1);
+	CHECK(t.recorder.has("08:02:10 0 rule-ended")); // 110 m, 20 s
+}
+
 TEST_CASE("time and day in a rule are those of the simulation, and so is the place of the person") {
 	ParkTown t;
 	t.town.bench(110.0f, 0.0f);

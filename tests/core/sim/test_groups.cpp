@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include "core/sim/invariants.h"
 #include "core/sim/simulation.h"
 #include "tests/core/sim/town.h"
 
@@ -111,6 +112,34 @@ TEST_CASE("when nobody comes, joiners go alone after half an hour, and that is r
 	CHECK(family.recorder.has("16:32:10 1 entered-building building 0")); // 130 m at 1.0
 	CHECK(family.recorder.has("16:31:44 2 entered-building building 0")); // 130 m at 1.25
 	CHECK(simulation.statistics().count(SimEventKind::PatienceRanOut) == 2);
+}
+
+TEST_CASE("a leader who comes later than the children have patience finds them gone, and waits for nobody") {
+	Town town;
+	const BuildingId home = town.building("house", 0.0f), school = town.building("school", 100.0f), work = town.building("workplace", 300.0f);
+	town.household(home);
+	const PersonId ana = town.person();
+	const PersonId leo = town.person(8.0f);
+	town.accompany(ana, { leo }, at(8), at(12), school);
+	town.tasks[index_of(ana)][0].start_ms = at(8, 40); // a newer entry took its beginning
+	town.tasks[index_of(ana)][0].is_start_cut = true;
+	town.stay(ana, at(7), at(8, 40), work);
+	Simulation &simulation = town.simulate();
+	Recorder recorder;
+	simulation.add_observer(recorder);
+	InvariantChecker checker(simulation);
+	simulation.start(moment(0, 6));
+	simulation.advance_to(moment(0, 9));
+	CHECK(recorder.of(leo) == Lines{ "08:30:00 1 patience-ran-out building 1", "08:30:00 1 left-building building 0", "08:30:00 1 set-out building 1",
+									 "08:31:40 1 entered-building building 1" });
+	CHECK(!is_valid(simulation.view(ana).leader));
+	CHECK(simulation.inside_count(work) == 1);
+	simulation.advance_to(moment(0, 11, 59));
+	CHECK(simulation.statistics().count(SimEventKind::PatienceRanOut) == 1);
+	simulation.flush_lived();
+	checker.finish();
+	CHECK(checker.broken_total() == 0);
+	CHECK(checker.children_alone_after_waiting() == 1);
 }
 
 TEST_CASE("the leader fetches joiners at different places, nearest first, before the goal") {

@@ -33,3 +33,31 @@ TEST_CASE("objects added later are taken in, removed ones are not free, unknown 
 	CHECK(!reservations.is_free(city, id));
 	CHECK(!reservations.is_free(city, ObjectId::Invalid));
 }
+
+TEST_CASE("an object that gets or loses places: what is held stays held where its place is left") {
+	CityModel city;
+	CityObject bench;
+	bench.places.resize(3);
+	const ObjectId id = city.add_object(bench), other = city.add_object(bench);
+	Reservations reservations;
+	reservations.update(city);
+	for (uint32_t person = 0; person < 3; ++person) {
+		CHECK(reservations.take(city, id, PersonId(person)) == person);
+	}
+	CHECK(reservations.take(city, other, PersonId(7)) == 0);
+	bench.places.resize(1);
+	city.put_object(id, bench);
+	CHECK(!reservations.is_free(city, id));
+	reservations.update(city);
+	CHECK(reservations.holder(id, 0) == PersonId(0));
+	CHECK(reservations.holder(id, 1) == PersonId::Invalid);
+	reservations.release(id, 2); // is no more
+	CHECK(reservations.holder(other, 0) == PersonId(7));
+	CHECK(reservations.take(city, id, PersonId(9)) == Reservations::none);
+	bench.places.resize(4);
+	city.put_object(id, bench);
+	reservations.update(city);
+	CHECK(reservations.holder(id, 0) == PersonId(0));
+	CHECK(reservations.take(city, id, PersonId(9)) == 1);
+	CHECK(reservations.holder(other, 0) == PersonId(7));
+}

@@ -78,6 +78,54 @@ TEST_CASE("after a jump the future is as if the time had been lived") {
 	CHECK(after_a.lines == after_b.lines);
 }
 
+namespace {
+
+// Twenty persons with floating tasks and two slots a day, one of which begins the evening before.
+void fill_with_idlers(Town &town) {
+	Random random(9);
+	town.rules("Errand Errand --> goToBuilding(findBuilding(\"shop\")) stayInside(rand(2m, 12m)) Rest --> wait(rand(5m, 9m))");
+	const BuildingId shop = town.building("shop", 100.0f);
+	town.building("shop", 160.0f);
+	for (int i = 0; i < 20; ++i) {
+		town.household(town.building("house", float(random.uniform(0, 300)), float(random.uniform(0, 300))));
+		const PersonId id = town.person();
+		if (i % 2) {
+			town.person(); // somebody without tasks
+		}
+		town.stay(id, at(1), at(9), town.population.households.back().home);
+		town.task(id, TaskKind::FloatingSlot, at(9), at(10), 0xFFFFFFFF);
+		town.stay(id, at(10), at(14), i % 3 ? shop : town.population.households.back().home);
+		town.task(id, TaskKind::FloatingSlot, at(14), at(15), 0xFFFFFFFF);
+		town.task(id, TaskKind::FloatingSlot, at(23), at(25), 0xFFFFFFFF);
+		for (size_t task = 0; task < 2 + random.index(3); ++task) {
+			town.floating(id, at(0, 15), random.chance(0.5) ? "Errand" : "Rest", float(random.index(2)));
+		}
+	}
+}
+
+} // namespace
+
+TEST_CASE("after a jump nobody does a floating task again that the day has seen") {
+	for (const SimTime time : { moment(1, 0, 20), moment(1, 9, 20), moment(1, 12), moment(1, 14, 30), moment(1, 20) }) {
+		Town lived, jumped;
+		fill_with_idlers(lived);
+		fill_with_idlers(jumped);
+		Simulation &a = lived.simulate();
+		Simulation &b = jumped.simulate();
+		a.start(moment(0, 5));
+		a.advance_to(time);
+		b.start(moment(3, 12));
+		b.jump_to(time);
+		Recorder after_a, after_b;
+		a.add_observer(after_a);
+		b.add_observer(after_b);
+		a.advance_to(moment(2, 0));
+		b.advance_to(moment(2, 0));
+		CHECK(after_a.lines == after_b.lines);
+		CHECK(a.statistics().count(SimEventKind::FloatingTaskStarted) > 30);
+	}
+}
+
 TEST_CASE("a jump into a group's walk finds all of it together") {
 	Town town;
 	const BuildingId home = town.building("house", 0.0f);

@@ -27,6 +27,7 @@ constexpr SimTime moment(int day, int hours, int minutes = 0, int seconds = 0) {
 struct Town {
 	CityModel city;
 	StraightLinePaths paths{ city };
+	const PathProvider *ground = &paths;
 	Population population;
 	std::vector<std::vector<Task>> tasks;
 	std::vector<std::vector<FloatingTask>> floating_tasks;
@@ -145,7 +146,7 @@ struct Town {
 	Simulation &simulate(SimulationSettings settings = {}) {
 		write_agendas();
 		_simulation =
-				std::make_unique<Simulation>(city, paths, population, agendas, program, settings, host);
+				std::make_unique<Simulation>(city, *ground, population, agendas, program, settings, host);
 		return *_simulation;
 	}
 
