@@ -12,7 +12,7 @@
 // (64 bits), the people with their agendas, the state. All numbers have their least byte first.
 namespace pcg {
 
-constexpr uint32_t state_version = 2;
+constexpr uint32_t state_version = 3;
 
 struct StateFile {
 	SavedPeople people; // to make the simulation with that takes the rest

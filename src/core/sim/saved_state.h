@@ -30,6 +30,7 @@ struct SavedState {
 	uint64_t program_fingerprint = 0; // 0: none
 	uint64_t seed = 0;
 	Duration patience;
+	uint64_t city_origin = 0; // CityModel::origin
 	uint64_t buildings = 0, zones = 0, objects = 0; // that the city had
 	SimTime now;
 	SimulationStatistics statistics;

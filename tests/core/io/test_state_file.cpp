@@ -49,10 +49,10 @@ TEST_CASE("what is no saved game, damaged or of another version gives one error 
 	CHECK(message_of("") == "this is no saved simulation");
 	CHECK(message_of("PNG and so on, long enough for a header") == "this is no saved simulation");
 	std::string other = good;
-	other[8] = 3;
-	CHECK(message_of(other) == "it was saved by a newer version (format 3, this one reads format 2)");
+	other[8] = 4;
+	CHECK(message_of(other) == "it was saved by a newer version (format 4, this one reads format 3)");
 	other[8] = 1;
-	CHECK(message_of(other) == "it was saved by an older version (format 1, this one reads format 2)");
+	CHECK(message_of(other) == "it was saved by an older version (format 1, this one reads format 3)");
 	CHECK(message_of(good.substr(0, 9)) == "the saved simulation is damaged");
 	CHECK(message_of(good.substr(0, good.size() - 1)) == "the saved simulation is damaged");
 	CHECK(message_of(good + "x") == "the saved simulation is damaged");
