@@ -12,6 +12,7 @@
 #include "core/agenda/agenda_generator.h"
 #include "core/base/diagnostic.h"
 #include "core/lang/program.h"
+#include "core/lang/vm.h"
 #include "core/population/population.h"
 #include "core/ports/agent_host.h"
 #include "core/ports/path_provider.h"
@@ -262,6 +263,7 @@ private:
 	std::vector<uint32_t> _party_of_group; // by group
 	std::vector<Party> _parties;
 	std::vector<uint32_t> _free_parties;
+	VmStacks _rule_stacks; // of rules that run right now, one inside of another
 	WalkPool _walks;
 	Reservations _reservations;
 	std::unique_ptr<agenda::World> _rule_world; // null without a program
