@@ -106,7 +106,7 @@ bool Simulation::wake_behaviors(const SavedState &state, std::vector<std::unique
 }
 
 void Simulation::take_over_state(SavedState &&state, std::vector<std::unique_ptr<Behavior>> &&behaviors) {
-	forget_everything();
+	forget_everything(state.now);
 	_has_started = true;
 	_now = state.now;
 	_settings.patience = state.patience;
