@@ -1,13 +1,10 @@
 // The simulation alone, on straight lines: 100,000 persons in 10,000 buildings who go to work or school, shop and come home; and the same for
-// 1,000, 10,000 and a million, to see what a person costs.
+// 1,000, 10,000 and a million, to see what a person costs. life_bench has rules that run, groups and seats.
 // Peer: SUMO, whose non-interacting persons take 6.8 s for 12 h of 20,000 (in persons x hours a second).
-#include <chrono>
+#include <cmath>
 #include <string>
 
-#include <sys/resource.h>
-
-#include "bench/allocation_count.h"
-#include "bench/figure.h"
+#include "bench/living.h"
 #include "core/base/random.h"
 #include "core/navigation/straight_line_paths.h"
 #include "core/sim/simulation.h"
@@ -21,17 +18,17 @@ constexpr uint32_t household_size = 2;
 constexpr double sumo_person_hours_per_second = 20'000.0 * 12.0 / 6.8;
 constexpr int32_t minute = 60'000;
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-	return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
+// Buildings stand 30 m apart on a square.
+uint32_t side_of(uint32_t building_count) { return uint32_t(std::ceil(std::sqrt(double(building_count)))); }
 
 void build_city(CityModel &city, uint32_t building_count) {
 	const TypeId type = city.types.add("house");
+	const uint32_t side = side_of(building_count);
 	for (uint32_t i = 0; i < building_count; ++i) {
 		Entrance entrance;
 		entrance.building = city.add_building();
 		entrance.type = type;
-		entrance.position = { float(i % 100) * 30.0f, 0.0f, float(i / 100 % 100) * 30.0f };
+		entrance.position = { float(i % side) * 30.0f, 0.0f, float(i / side) * 30.0f };
 		city.add_entrance(entrance);
 	}
 }
@@ -62,13 +59,22 @@ void add(AgendaSet &agendas, TaskKind kind, int32_t start, int32_t end, Building
 	agendas.tasks.push_back(task);
 }
 
+// One of the 10,000 buildings around this one.
+BuildingId find_near(BuildingId home, uint32_t building_count, Random &random) {
+	constexpr uint32_t reach = 100;
+	const uint32_t side = side_of(building_count), width = std::min(side, reach);
+	const auto around = [&](uint32_t at) { return std::min(at > reach / 2 ? at - reach / 2 : 0, side - width) + uint32_t(random.index(width)); };
+	const uint32_t x = around(index_of(home) % side), z = around(index_of(home) / side);
+	return BuildingId(std::min(z * side + x, building_count - 1));
+}
+
 // Home, work, a shop on the way, home, with times that differ from person to person.
 void build_agendas(const Population &population, AgendaSet &agendas, Random &random) {
 	const uint32_t building_count = uint32_t(population.persons.size()) / persons_per_building;
 	for (uint32_t i = 0; i < population.persons.size(); ++i) {
 		const BuildingId home = population.home_of(PersonId(i));
-		const BuildingId work = BuildingId(uint32_t(random.index(building_count)));
-		const BuildingId shop = BuildingId(uint32_t(random.index(building_count)));
+		const BuildingId work = find_near(home, building_count, random);
+		const BuildingId shop = find_near(home, building_count, random);
 		const int32_t leave = 420 * minute + int32_t(random.index(90 * minute));
 		const int32_t shopping = 960 * minute + int32_t(random.index(90 * minute));
 		agendas.first_task.push_back(uint32_t(agendas.tasks.size()));
@@ -81,26 +87,6 @@ void build_agendas(const Population &population, AgendaSet &agendas, Random &ran
 	}
 	agendas.first_task.push_back(uint32_t(agendas.tasks.size()));
 	agendas.first_floating_task.push_back(0);
-}
-
-// 60 frames a second at 60 times real time, when the most are on their way.
-void measure_peak(Simulation &simulation, const std::string &name) {
-	simulation.jump_to(SimTime::at(0, Duration::hours(8)));
-	simulation.step(Duration::minutes(10));
-	constexpr int frames = 600;
-	const uint64_t before = bench::heap.allocations;
-	const auto start = std::chrono::steady_clock::now();
-	for (int frame = 0; frame < frames; ++frame) {
-		simulation.step(Duration::seconds(1.0));
-	}
-	bench::print(name + "_frame_at_peak", seconds_since(start) / frames * 1000.0, "ms");
-	bench::print(name + "_allocations_per_frame", double(bench::heap.allocations - before) / frames, "allocations");
-}
-
-double resident_mb() {
-	rusage usage{};
-	getrusage(RUSAGE_SELF, &usage);
-	return double(usage.ru_maxrss) / 1024.0;
 }
 
 void measure(uint32_t person_count, const std::string &name) {
@@ -117,20 +103,7 @@ void measure(uint32_t person_count, const std::string &name) {
 	settings.has_live_bodies = false;
 	Simulation simulation(city, paths, population, agendas, nullptr, settings, host);
 
-	auto start = std::chrono::steady_clock::now();
-	simulation.start(SimTime{});
-	bench::print(name + "_start", seconds_since(start), "s");
-	start = std::chrono::steady_clock::now();
-	simulation.advance_to(SimTime::at(1, {}));
-	const double day = seconds_since(start);
-	bench::print(name + "_day", day, "s");
-	bench::print(name + "_person_hours_per_second", person_count * 24.0 / day, "person h/s", sumo_person_hours_per_second);
-	bench::print(name + "_trips", double(simulation.statistics().trips), "trips");
-	start = std::chrono::steady_clock::now();
-	simulation.jump_to(SimTime::at(2, Duration::hours(8)));
-	bench::print(name + "_jump", seconds_since(start) * 1000.0, "ms");
-	measure_peak(simulation, name);
-	bench::print(name + "_memory", resident_mb(), "MB");
+	bench::measure_life(simulation, name, Duration::minutes(10), sumo_person_hours_per_second);
 }
 
 } // namespace

@@ -21,6 +21,7 @@ from pathlib import Path
 from deps import ROOT
 
 DERIVE = ROOT / "build/bench/derive_bench"
+ALLOCATIONS = ROOT / "build/bench/preload/allocations.so"
 FIELDS = ("name", "value", "unit", "peer", "ratio")
 
 
@@ -69,7 +70,8 @@ def jobs_of(options):
     jobs = {name: lambda path=path: figures_of(path) for name, path in programs.items()}
     if options.engine:
         for script in sorted((ROOT / "bench").glob("*_bench.gd")):
-            command = [options.engine, "--headless", "--no-header", "--fixed-fps", "60", "--path", ".", "--script", f"bench/{script.name}"]
+            preload = ["env", f"LD_PRELOAD={ALLOCATIONS}"] if ALLOCATIONS.is_file() else []
+            command = [*preload, options.engine, "--headless", "--no-header", "--fixed-fps", "60", "--path", ".", "--script", f"bench/{script.name}"]
             jobs[script.stem] = lambda script=script, command=command: figures_of(script, *command)
     if options.instructions and not shutil.which("valgrind"):
         print("bench: valgrind is not installed", file=sys.stderr)

@@ -286,6 +286,24 @@ func test_states_that_do_not_fit_are_refused_and_life_goes_on() -> void:
 	check(_citizens.is_running(), "it still runs")
 
 
+func test_a_state_of_another_city_is_refused_and_edits_make_no_other_city() -> void:
+	_begin(8.0)
+	var saved: PackedByteArray = _citizens.save_state()
+	_citizens.stop()
+	var seed_before: int = _city.seed
+	_city.seed = seed_before + 8
+	_city.generate_now()
+	expect_message("the state was saved in another city")
+	check(not _citizens.load_state(saved), "a city of another seed")
+	_city.seed = seed_before
+	_city.generate_now()
+	var lot: PCGLot = _city.find_children("*", "PCGLot", true, false)[3]
+	lot.position.x += 1.0
+	_city.update_model()
+	check(_citizens.load_state(saved), "its own, where a lot was moved")
+	_check_promises()
+
+
 func test_people_who_are_kept_stay_the_same_and_can_be_edited() -> void:
 	check(_citizens.generate_population(), "people by chance")
 	var people: PCGPopulation = _citizens.keep_population()

@@ -18,6 +18,7 @@ enum class TaskKind : uint8_t {
 	DelayedRule, // runs the rule `target` (a RuleId) from start, cut short at end
 	FloatingSlot, // free time, filled from the person's pool of floating tasks
 };
+constexpr size_t task_kind_count = size_t(TaskKind::FloatingSlot) + 1;
 
 struct Task {
 	int32_t start_ms = 0; // since 0h of each day of `days`; in [0, 24 h)

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/bytes.h"
+#include "core/base/random.h"
 
 namespace pcg {
 
@@ -94,6 +95,13 @@ bool is_sound(const Layout &layout) {
 
 } // namespace
 
+uint64_t fingerprint_of(const Layout &layout) {
+	ByteWriter bytes;
+	bytes.values(layout.seed);
+	bytes.list(layout.lots, [](ByteWriter &inner, const Lot &lot) { visit_lot(inner, lot); });
+	return hash_text(bytes.bytes()) | 1;
+}
+
 std::string city_bytes(const City &city) {
 	ByteWriter bytes;
 	bytes.values(version);
@@ -116,6 +124,7 @@ std::optional<City> city_from_bytes(std::string_view bytes, Diagnostics &diagnos
 				"generate it anew");
 		return std::nullopt;
 	}
+	city.model.origin = fingerprint_of(city.layout);
 	return city;
 }
 

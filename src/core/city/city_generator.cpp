@@ -4,6 +4,7 @@
 #include <mutex>
 
 #include "core/cga/neighborhood.h"
+#include "core/city/city_bytes.h"
 #include "core/city/ground.h"
 #include "core/city/lot_messages.h"
 #include "core/city/lot_semantics.h"
@@ -178,6 +179,7 @@ void leave_empty(City &city, LotId id, const CityOptions &options) {
 std::optional<City> generate_city(Layout layout, const RulesByType &rules, const CityOptions &options, Diagnostics &diagnostics) {
 	City city;
 	city.layout = std::move(layout);
+	city.model.origin = fingerprint_of(city.layout);
 	city.lots.resize(city.layout.lots.size());
 	city.ground = make_ground(city.layout);
 	report_missing_rules(city.layout, rules, diagnostics);

@@ -26,14 +26,14 @@ bool is_constant(const Program &program, Chunk chunk, Value &value) {
 
 } // namespace
 
-Vm::Vm(const Program &program, VmHost &host, VmLimits limits) : _program(&program), _host(&host), _limits(limits) {
+Vm::Vm(const Program &program, VmHost &host, VmLimits limits, VmStacks *stacks) :
+		_program(&program), _host(&host), _limits(limits), _stacks(stacks) {
 	_limits.max_stack = std::max(_limits.max_stack, program.max_stack + 16);
-	_memory.reset(new std::byte[size_t(_limits.max_stack) * sizeof(Value)]);
-	_stack = reinterpret_cast<Value *>(_memory.get());
-	_stack_end = _stack + _limits.max_stack;
-	_top = _stack;
-	_frames.reserve(64);
-	_trail.reserve(64);
+	if (_stacks == nullptr) {
+		take_stack();
+		_frames.reserve(64);
+		_trail.reserve(64);
+	}
 	reset_initial_attributes();
 	begin(0);
 }
@@ -49,19 +49,22 @@ void Vm::begin(uint64_t seed) {
 	_steps = 0;
 	_silent_steps = 0;
 	_top = _stack;
+	_waiting.clear();
 	_base = 0;
 	_address = 0;
 	_frames.clear();
 	_trail.clear();
 	_outer_attributes.clear();
-	_import_attributes.clear();
 	_slots.assign(_program->slot_count, Value());
 	_own_attributes.assign(_initial_attributes.begin(), _initial_attributes.end());
 	_attributes = _own_attributes.data();
-	_texts.clear();
-	_text_storage.clear();
-	_arrays.clear();
-	_array_storage.clear();
+	if (_made) {
+		_made->import_attributes.clear();
+		_made->texts.clear();
+		_made->text_storage.clear();
+		_made->arrays.clear();
+		_made->array_storage.clear();
+	}
 }
 
 // --- Frames
@@ -204,9 +207,13 @@ void Vm::leave_native(const Border &border) {
 RunState Vm::finish(Stop stop, const Border &border) {
 	_is_paused = stop == Stop::Paused && !_failed;
 	if (_is_paused) {
+		put_stack_away();
 		return RunState::Paused;
 	}
 	leave_native(border);
+	if (_frames.empty()) {
+		put_stack_away();
+	}
 	return _failed ? RunState::Failed : RunState::Finished;
 }
 
@@ -224,6 +231,7 @@ RunState Vm::call(RuleId rule, std::span<const Value> args) {
 		fail("bad-start", "the host called a rule that does not exist or has other parameters");
 		return RunState::Failed;
 	}
+	take_stack();
 	Border border;
 	Stop stop = Stop::Stopped;
 	if (enter_native(border)) {
@@ -240,12 +248,15 @@ RunState Vm::resume() {
 		return _failed ? RunState::Failed : RunState::Finished;
 	}
 	_is_paused = false;
+	take_stack();
 	return finish(run(), { 0, 0, 0, _stack });
 }
 
 void Vm::abandon() {
 	_is_paused = false;
+	take_stack();
 	leave_native({ 0, 0, 0, _stack });
+	put_stack_away();
 }
 
 Value Vm::evaluate(Chunk chunk) {
@@ -355,21 +366,6 @@ void Vm::warn(std::string_view id, std::string message, std::string hint) {
 
 void Vm::warn_each(std::string_view id, std::string message, std::string hint) {
 	_host->report(diagnostic_here(Severity::Warning, id, std::move(message), std::move(hint)));
-}
-
-// --- What a run makes
-
-const Text *Vm::make_text(std::string_view text) {
-	_text_storage.emplace_back(text);
-	_texts.push_back({ _text_storage.back(), no_symbol });
-	return &_texts.back();
-}
-
-const ArrayData *Vm::make_array(std::span<const Value> values, uint32_t rows, ValueType element) {
-	_array_storage.emplace_back(values.begin(), values.end());
-	const uint32_t columns = rows > 0 ? uint32_t(values.size()) / rows : 0;
-	_arrays.push_back({ _array_storage.back().data(), rows, columns, values.empty() ? element : values[0].type });
-	return &_arrays.back();
 }
 
 Value Vm::mismatch(std::string_view id, std::string message, const Value &fallback, std::string hint) {

@@ -14,7 +14,7 @@
 #include "core/lang/program.h"
 
 // Runs a program as a stack of frames that can be left and re-entered at any operation: a delayed rule that waits is this object, put aside
-// (paper, "Delayed execution of rules": pairs of a rule and the next item). One Vm serves many runs; what waits is kept as a VmState,
+// (paper, "Delayed execution of rules": pairs of a rule and the next item). One Vm serves many runs; what is saved is a VmState,
 // which is small.
 namespace pcg {
 
@@ -86,9 +86,15 @@ struct VmState {
 	std::vector<SavedArray> arrays;
 };
 
+// Stacks that Vms of one program and one limit share: who runs has one, who waits has none. For one thread.
+struct VmStacks {
+	std::vector<std::unique_ptr<std::byte[]>> idle;
+};
+
 class Vm {
 public:
-	Vm(const Program &program, VmHost &host, VmLimits limits = {});
+	// `stacks`, if given, outlives the Vm; without, it has a stack of its own, even while it waits.
+	Vm(const Program &program, VmHost &host, VmLimits limits = {}, VmStacks *stacks = nullptr);
 	Vm(const Vm &) = delete;
 	Vm &operator=(const Vm &) = delete;
 
@@ -166,6 +172,14 @@ public:
 private:
 	enum class Stop : uint8_t { Returned, Paused, Stopped };
 
+	// What values refer to and the program does not have.
+	struct Made {
+		std::deque<Text> texts, override_texts;
+		std::deque<std::string> text_storage, override_storage;
+		std::deque<ArrayData> arrays;
+		std::deque<std::vector<Value>> array_storage, import_attributes;
+	};
+
 	static constexpr uint64_t steps_between_questions = 0x4000;
 
 	// Where a handler's evaluation began, to go back to.
@@ -227,6 +241,14 @@ private:
 	Diagnostic diagnostic_here(Severity severity, std::string_view id, std::string message, std::string hint) const;
 	Value to_saved(const Value &value, VmState &state) const;
 	bool from_saved(Value &value, const VmState &state);
+	Made &made() {
+		if (!_made) {
+			_made = std::make_unique<Made>();
+		}
+		return *_made;
+	}
+	void take_stack();
+	void put_stack_away();
 	bool is_sound(const VmState &state) const;
 	bool restore_values(const VmState &state);
 
@@ -243,7 +265,9 @@ private:
 	uint64_t _steps = 0;
 	uint64_t _silent_steps = 0;
 
-	std::unique_ptr<std::byte[]> _memory; // the stack: never moves, pages are used when they are needed
+	VmStacks *_stacks;
+	std::vector<Value> _waiting; // what lies on the stack while another one has it
+	std::unique_ptr<std::byte[]> _memory; // the stack: never moves during a run, pages are used when they are needed
 	Value *_stack = nullptr;
 	Value *_top = nullptr; // one behind the last value
 	Value *_stack_end = nullptr;
@@ -255,14 +279,8 @@ private:
 	std::vector<Value> _own_attributes;
 	std::vector<Value> _initial_attributes; // what runs begin with: the host's overrides, and constants; else Void
 	Value *_attributes = nullptr;
-	std::deque<Text> _texts;
-	std::deque<std::string> _text_storage;
-	std::deque<std::string> _override_texts;
-	std::deque<Text> _override_text_values;
+	std::unique_ptr<Made> _made; // few runs make anything, and empty deques take memory
 	std::vector<Value *> _outer_attributes; // of the frames of kind Import
-	std::deque<std::vector<Value>> _import_attributes;
-	std::deque<ArrayData> _arrays;
-	std::deque<std::vector<Value>> _array_storage;
 	std::vector<uint32_t> _warned; // addresses, sorted
 };
 

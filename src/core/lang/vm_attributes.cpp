@@ -29,9 +29,9 @@ bool Vm::override_attribute(std::string_view name, Value value) {
 		if (symbol != no_symbol) {
 			value = Value::of(&_program->texts[symbol]);
 		} else {
-			_override_texts.emplace_back(value.text->view);
-			_override_text_values.push_back({ _override_texts.back(), no_symbol });
-			value = Value::of(&_override_text_values.back());
+			made().override_storage.emplace_back(value.text->view);
+			_made->override_texts.push_back({ _made->override_storage.back(), no_symbol });
+			value = Value::of(&_made->override_texts.back());
 		}
 	}
 	_initial_attributes[size_t(index)] = value;
@@ -42,8 +42,10 @@ bool Vm::override_attribute(std::string_view name, Value value) {
 void Vm::clear_overrides() {
 	reset_initial_attributes();
 	std::copy(_initial_attributes.begin(), _initial_attributes.end(), _own_attributes.begin());
-	_override_text_values.clear();
-	_override_texts.clear();
+	if (_made) {
+		_made->override_texts.clear();
+		_made->override_storage.clear();
+	}
 }
 
 Value Vm::attribute(int index) {
@@ -102,8 +104,8 @@ bool Vm::begin_import(const ImportScope &scope, std::span<const Value> values) {
 	_host->push_group(*this);
 	Value *own = _host->copy_attributes(*this);
 	if (own == nullptr) {
-		_import_attributes.emplace_back(_attributes, _attributes + _program->attributes.size());
-		own = _import_attributes.back().data();
+		made().import_attributes.emplace_back(_attributes, _attributes + _program->attributes.size());
+		own = _made->import_attributes.back().data();
 	}
 	_attributes = own;
 	for (uint32_t attribute : scope.attributes) {

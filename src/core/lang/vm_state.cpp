@@ -3,8 +3,8 @@
 #include "core/lang/opcode.h"
 #include "core/lang/vm.h"
 
-// A paused run as data and back. A state may come from a file that somebody damaged: what is restored is checked, since the loop itself trusts
-// its addresses.
+// A paused run without a stack, and as data and back. A state may come from a file that somebody damaged: what is restored is checked, since the
+// loop itself trusts its addresses.
 namespace pcg {
 
 namespace {
@@ -12,6 +12,31 @@ namespace {
 constexpr uint32_t first_own_text = 0x80000000u;
 
 } // namespace
+
+// Nothing to do where there is one already.
+void Vm::take_stack() {
+	if (_memory) {
+		return;
+	}
+	if (_stacks == nullptr || _stacks->idle.empty()) {
+		_memory.reset(new std::byte[size_t(_limits.max_stack) * sizeof(Value)]);
+	} else {
+		_memory = std::move(_stacks->idle.back());
+		_stacks->idle.pop_back();
+	}
+	_stack = reinterpret_cast<Value *>(_memory.get());
+	_stack_end = _stack + _limits.max_stack;
+	_top = std::copy(_waiting.begin(), _waiting.end(), _stack);
+}
+
+// Its own stays where it is.
+void Vm::put_stack_away() {
+	if (_stacks != nullptr && _memory) {
+		_waiting.assign(_stack, _top);
+		_stacks->idle.push_back(std::move(_memory));
+		_stack = _top = _stack_end = nullptr;
+	}
+}
 
 Value Vm::to_saved(const Value &value, VmState &state) const {
 	Value saved = value;
@@ -50,8 +75,8 @@ VmState Vm::save() const {
 	for (const VmTrailEntry &entry : _trail) {
 		state.trail.push_back({ entry.slot, to_saved(entry.old, state) });
 	}
-	for (const Value *value = _stack; value != _top; ++value) {
-		state.stack.push_back(to_saved(*value, state));
+	for (const Value &value : _memory ? std::span<const Value>(_stack, _top) : _waiting) {
+		state.stack.push_back(to_saved(value, state));
 	}
 	for (const Value &value : _slots) {
 		state.slots.push_back(to_saved(value, state));
@@ -85,10 +110,10 @@ bool Vm::from_saved(Value &value, const VmState &state) {
 		case ValueType::Rule:
 			return value.rule < _program->rules.size();
 		case ValueType::Array:
-			if (value.index >= _arrays.size()) {
+			if (!_made || value.index >= _made->arrays.size()) {
 				return false;
 			}
-			value.array = &_arrays[value.index];
+			value.array = &_made->arrays[value.index];
 			return true;
 		case ValueType::Word:
 			return true;
@@ -165,8 +190,13 @@ bool Vm::restore(const VmState &state) {
 		return false;
 	}
 	begin(state.seed);
-	if (!restore_values(state)) {
+	take_stack();
+	const bool is_whole = restore_values(state);
+	if (!is_whole) {
 		begin(0);
+	}
+	put_stack_away();
+	if (!is_whole) {
 		return false;
 	}
 	_frames = state.frames;

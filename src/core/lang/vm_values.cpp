@@ -285,4 +285,17 @@ bool Vm::replace_argument(const ParamSpec &param, std::string_view name, size_t 
 	return !_failed;
 }
 
+const Text *Vm::make_text(std::string_view text) {
+	made().text_storage.emplace_back(text);
+	_made->texts.push_back({ _made->text_storage.back(), no_symbol });
+	return &_made->texts.back();
+}
+
+const ArrayData *Vm::make_array(std::span<const Value> values, uint32_t rows, ValueType element) {
+	made().array_storage.emplace_back(values.begin(), values.end());
+	const uint32_t columns = rows > 0 ? uint32_t(values.size()) / rows : 0;
+	_made->arrays.push_back({ _made->array_storage.back().data(), rows, columns, values.empty() ? element : values[0].type });
+	return &_made->arrays.back();
+}
+
 } // namespace pcg

@@ -73,6 +73,8 @@ struct CityObject {
 class CityModel {
 public:
 	TypeTable types;
+	// Tells cities apart by what they were generated from; edits leave it as it is. 0: not generated.
+	uint64_t origin = 0;
 
 	BuildingId add_building(LotId lot = LotId::Invalid);
 	EntranceId add_entrance(Entrance entrance); // of an existing building

@@ -19,7 +19,7 @@ constexpr float arm_length = 0.01f; // metres within which a person stands at it
 } // namespace
 
 Behavior::Behavior(Simulation &simulation, const agenda::World &world, const SimulationSettings &settings)
-	: agenda::Context(world), _simulation(simulation), _seed(settings.seed), _vm(*world.program, *this, behavior_limits) {
+	: agenda::Context(world), _simulation(simulation), _seed(settings.seed), _vm(*world.program, *this, behavior_limits, &simulation._rule_stacks) {
 	for (const AttributeOverride &attribute : settings.overrides) {
 		override_attribute(_vm, attribute);
 	}

@@ -26,7 +26,7 @@ template <typename Archive, typename Record> void visit_household(Archive &archi
 template <typename Archive, typename Record> void visit_task(Archive &archive, Record &task) {
 	uint16_t name = task.name, days_later = task.days_later; // bit fields have no address
 	archive.values(task.start_ms, task.end_ms, task.target, task.origin, task.generation);
-	archive.choice(task.kind, size_t(TaskKind::FloatingSlot) + 1);
+	archive.choice(task.kind, task_kind_count);
 	archive.values(task.days, name, days_later, task.requirement, task.is_start_cut);
 	if constexpr (Archive::is_reading) {
 		task.name = name & (max_task_names - 1);

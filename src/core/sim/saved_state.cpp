@@ -8,7 +8,6 @@ namespace pcg {
 namespace {
 
 constexpr size_t pose_count = size_t(AgentPose::Sit) + 1;
-constexpr size_t kind_count = size_t(TaskKind::FloatingSlot) + 1;
 
 // Sums of times from a damaged file must not overflow: they lie within the range of Duration::seconds.
 template <typename Archive, typename Time> void visit_time(Archive &archive, Time &time, bool can_be_never = false) {
@@ -28,7 +27,7 @@ template <typename Archive, typename Record> void visit_person(Archive &archive,
 	archive.choice(person.place_kind, size_t(Target::Kind::Person) + 1);
 	archive.choice(person.purpose, size_t(Purpose::Group) + 1);
 	archive.choice(person.pose, pose_count);
-	archive.choice(person.entry_kind, kind_count);
+	archive.choice(person.entry_kind, task_kind_count);
 	archive.values(person.object_place, person.reserved_object, person.can_be_late);
 	archive.choice(person.presence, size_t(Presence::Removed) + 1);
 }
@@ -120,7 +119,7 @@ template <typename Archive, typename Attribute> void visit_attribute(Archive &ar
 }
 
 template <typename Archive, typename State> void visit_state(Archive &archive, State &state) {
-	archive.values(state.program_fingerprint, state.seed, state.buildings, state.zones, state.objects);
+	archive.values(state.program_fingerprint, state.seed, state.city_origin, state.buildings, state.zones, state.objects);
 	archive.list(state.attributes, [](auto &inner, auto &attribute) { visit_attribute(inner, attribute); });
 	visit_time(archive, state.patience);
 	visit_time(archive, state.now);

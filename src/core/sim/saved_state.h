@@ -32,6 +32,7 @@ struct SavedState {
 	uint64_t seed = 0;
 	std::vector<AttributeOverride> attributes; // of the rules, that the host set
 	Duration patience;
+	uint64_t city_origin = 0; // CityModel::origin
 	uint64_t buildings = 0, zones = 0, objects = 0; // that the city had
 	SimTime now;
 	SimulationStatistics statistics;

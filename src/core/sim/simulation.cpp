@@ -12,7 +12,6 @@ Simulation::Simulation(const CityModel &city, const PathProvider &paths, const P
 	: _city(city), _paths(paths), _population(population), _agendas(agendas), _program(std::move(program)),
 	  _settings(std::move(settings)), _host(&host) {
 	make_room();
-	_queue.reserve(_persons.size() + 16);
 	_city_revision = city.revision() - 1;
 	take_in_city_edits();
 }
@@ -47,22 +46,21 @@ void Simulation::advance_to(SimTime time) {
 	if (take_in_city_edits()) {
 		mend_goals();
 	}
-	run_queue(_queue, time);
+	for (Due due; _queue.pop_until(time, due);) {
+		run_due(due);
+	}
 	_now = time;
 }
 
-void Simulation::run_queue(EventQueue &queue, SimTime until) {
-	while (!queue.is_empty() && queue.top().time <= until) {
-		const EventQueue::Due due = queue.pop();
-		PersonRecord &person = record(due.person);
-		if (person.queued != due.time) {
-			continue; // it was planned anew since
-		}
-		person.queued = never;
-		_now = due.time;
-		_statistics.handled_moments += _is_replaying ? 0 : 1;
-		wake(due.person);
+void Simulation::run_due(const Due &due) {
+	PersonRecord &person = record(due.person);
+	if (person.queued != due.time) {
+		return; // it was planned anew since
 	}
+	person.queued = never;
+	_now = due.time;
+	_statistics.handled_moments += _is_replaying ? 0 : 1;
+	wake(due.person);
 }
 
 // In this order: what the person did is over, then its rule's time, then the entry's.
@@ -102,15 +100,13 @@ void Simulation::schedule(PersonId id) {
 	if (!person.is_in_group()) {
 		next = std::min(next, person.entry_end);
 	}
-	if (next != person.queued && next != never) {
-		_active_queue->push({ next, id });
-	}
+	const bool is_new = next != person.queued && next != never;
 	person.queued = next;
-}
-
-SimTime Simulation::next_due() const {
-	const SimTime latest = _now + Duration{ 7 * one_day.ms };
-	return _queue.is_empty() ? latest : std::min(latest, _queue.top().time);
+	if (is_new && _is_replaying) {
+		_replay_queue.push({ next, id });
+	} else if (is_new) {
+		_queue.push({ next, id });
+	}
 }
 
 // Whether there were any.

@@ -13,6 +13,7 @@
 #include "core/agenda/agenda_generator.h"
 #include "core/base/diagnostic.h"
 #include "core/lang/program.h"
+#include "core/lang/vm.h"
 #include "core/population/population.h"
 #include "core/ports/agent_host.h"
 #include "core/ports/path_provider.h"
@@ -89,8 +90,6 @@ public:
 	// or of something else. io/state_file.h keeps them in files, with the people.
 	std::string save() const;
 	bool restore(std::string_view bytes, Diagnostics &diagnostics);
-	// When the next thing is due; now() + 7 days at the latest.
-	SimTime next_due() const;
 
 	// Changes while it runs (simulation_edits.cpp). Edits of the city need no call: they are seen at the next step. Whoever is at, or on the way
 	// to, what was moved or removed starts the rule or the walk that led there anew; whose building is gone stands before it and goes home.
@@ -156,7 +155,7 @@ private:
 	// simulation.cpp: the loop
 	PersonRecord &record(PersonId id) { return _persons[index_of(id)]; }
 	const PersonRecord &record(PersonId id) const { return _persons[index_of(id)]; }
-	void run_queue(EventQueue &queue, SimTime until);
+	void run_due(const Due &due);
 	void wake(PersonId id);
 	void on_due(PersonId id);
 	void schedule(PersonId id);
@@ -256,7 +255,7 @@ private:
 	BuildingId building_of(PersonId id, const PlannedEntry &entry) const;
 	void put_inside(PersonId id, SimTime time);
 	void put_into(PersonId id, BuildingId building);
-	void forget_everything();
+	void forget_everything(SimTime begin);
 	void show_everybody();
 	void hide_everybody();
 	Duration longest_walk() const;
@@ -277,8 +276,7 @@ private:
 	Duration _settling; // longer than any walk through this city should take
 	uint64_t _city_revision = 0;
 	EventQueue _queue;
-	EventQueue _replay_queue;
-	EventQueue *_active_queue = &_queue;
+	DueHeap _replay_queue; // in its place while a household is replayed
 	std::vector<PersonRecord> _persons;
 	std::vector<uint32_t> _inside_counts; // by BuildingId
 	std::vector<int32_t> _floating_taken; // by index in AgendaSet::floating_tasks: the day on which it left the pool
@@ -288,6 +286,7 @@ private:
 	WalkPool _walks;
 	Reservations _reservations;
 	std::unique_ptr<agenda::World> _rule_world; // null without a program
+	VmStacks _rule_stacks; // of rules that run right now, one inside of another
 	std::vector<std::unique_ptr<Behavior>> _behaviors;
 	std::vector<uint32_t> _free_behaviors;
 	std::vector<SimulationObserver *> _observers;

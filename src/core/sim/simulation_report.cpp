@@ -88,15 +88,15 @@ void Simulation::show_walking(PersonId id) {
 		return;
 	}
 	const double walked = walk.metres_at(_now);
-	std::vector<glm::vec3> rest{ point_along(walk.points, walked) };
+	_way.assign(1, point_along(walk.points, walked));
 	double metres = 0.0;
 	for (size_t i = 1; i < walk.points.size(); ++i) {
 		metres += double(glm::distance(walk.points[i - 1], walk.points[i]));
 		if (metres > walked || i + 1 == walk.points.size()) {
-			rest.push_back(walk.points[i]);
+			_way.push_back(walk.points[i]);
 		}
 	}
-	_host->walk_agent(id, rest, walk.speed);
+	_host->walk_agent(id, _way, walk.speed);
 }
 
 void Simulation::show_everybody() {

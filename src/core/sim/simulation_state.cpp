@@ -41,6 +41,7 @@ std::string Simulation::save() const {
 	state.seed = _settings.seed;
 	state.attributes = _settings.overrides;
 	state.patience = _settings.patience;
+	state.city_origin = _city.origin;
 	state.buildings = _city.buildings().size();
 	state.zones = _city.zones().size();
 	state.objects = _city.objects().size();
@@ -70,8 +71,11 @@ bool Simulation::restore(std::string_view bytes, Diagnostics &diagnostics) {
 	if (state.program_fingerprint != (_program ? _program->fingerprint : 0)) {
 		return refuse("the state was saved with other rules", "load it with the rule file that it was saved with");
 	}
+	if (state.city_origin != _city.origin) {
+		return refuse("the state was saved in another city", "generate the city with the layout and the seed that it was saved with");
+	}
 	if (state.buildings > _city.buildings().size() || state.zones > _city.zones().size() || state.objects > _city.objects().size()) {
-		return refuse("the state was saved in another city, or parts of the city are missing", "load it in the city that it was saved in");
+		return refuse("parts of the city that the state was saved in are missing", "load it in the city that it was saved in, with all that was added by hand");
 	}
 	std::vector<std::unique_ptr<Behavior>> behaviors;
 	if (!is_sound(state) || !wake_behaviors(state, behaviors)) {
@@ -104,7 +108,7 @@ bool Simulation::wake_behaviors(const SavedState &state, std::vector<std::unique
 }
 
 void Simulation::take_over_state(SavedState &&state, std::vector<std::unique_ptr<Behavior>> &&behaviors) {
-	forget_everything();
+	forget_everything(state.now);
 	_has_started = true;
 	_now = state.now;
 	_settings.patience = state.patience;

@@ -34,7 +34,7 @@ void Simulation::jump_to(SimTime time) {
 	show_everybody();
 }
 
-void Simulation::forget_everything() {
+void Simulation::forget_everything(SimTime begin) {
 	for (PersonRecord &person : _persons) {
 		if (person.behavior != PersonRecord::none) {
 			_behaviors[person.behavior]->end();
@@ -53,7 +53,7 @@ void Simulation::forget_everything() {
 		}
 		person = anew;
 	}
-	_queue.clear();
+	_queue.clear(begin);
 	_replay_queue.clear();
 	_last_to_enter.clear();
 	_walks.clear();
@@ -70,7 +70,7 @@ void Simulation::forget_everything() {
 }
 
 void Simulation::place_everybody(SimTime time) {
-	forget_everything();
+	forget_everything(time);
 	_is_replaying = true;
 	for (const Household &household : _population.households) {
 		replay_household(household, time);
@@ -98,7 +98,6 @@ void Simulation::replay_household(const Household &household, SimTime time) {
 	if (household.member_count == 0 || first + household.member_count > _persons.size()) {
 		return;
 	}
-	_active_queue = &_replay_queue;
 	const SimTime anchor = find_anchor(household, time);
 	_now = anchor;
 	for (uint32_t i = 0; i < household.member_count; ++i) {
@@ -106,14 +105,15 @@ void Simulation::replay_household(const Household &household, SimTime time) {
 			put_inside(PersonId(first + i), anchor);
 		}
 	}
-	run_queue(_replay_queue, time);
+	for (Due due; _replay_queue.pop_until(time, due);) {
+		run_due(due);
+	}
 	while (!_replay_queue.is_empty()) {
-		const EventQueue::Due due = _replay_queue.pop();
+		const Due due = _replay_queue.pop();
 		if (record(due.person).queued == due.time) {
 			_queue.push(due);
 		}
 	}
-	_active_queue = &_queue;
 }
 
 // Where the entry leads, if it is a stay, a walk or a hole; Invalid for the others and for homes that are not there.

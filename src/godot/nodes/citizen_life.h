@@ -32,7 +32,8 @@ public:
 	void set_simulation(const Simulation *simulation) { _simulation = simulation; }
 	void set_bodies(AgentHost *bodies) { _bodies = bodies; }
 	void want(Notice::Kind kind, bool is_wanted) { _wanted[size_t(kind)] = is_wanted; }
-	std::vector<Notice> take() { return std::move(_notices); }
+	// Gives what was noted since the last call. `notices` is empty before and lends its memory to those that come.
+	void take(std::vector<Notice> &notices) { _notices.swap(notices); }
 
 	void on_event(const SimEvent &event) override;
 	void spawn_agent(PersonId person, glm::vec3 position) override;

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/classes/node.hpp>
@@ -13,6 +15,7 @@
 #include <godot_cpp/variant/packed_string_array.hpp>
 #include <godot_cpp/variant/rect2.hpp>
 #include <godot_cpp/variant/string.hpp>
+#include <godot_cpp/variant/string_name.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 #include <godot_cpp/variant/vector3.hpp>
 
@@ -28,6 +31,13 @@ namespace pcg {
 
 class PCGAgentView;
 class PCGCity;
+
+// Words that frames tell again and again.
+struct ToldWords {
+	ToldWords();
+	std::array<godot::StringName, Notice::kind_count> signals;
+	std::array<godot::String, task_kind_count> tasks;
+};
 
 // Fills a city with people and lives their days: households from a table, agendas from rules, a clock, and bodies for those outdoors.
 class CitizenManager : public godot::Node {
@@ -197,6 +207,8 @@ private:
 	double _owed_seconds = 0.0; // of simulated time, below the clock's millisecond
 	uint64_t _told_breaks = 0;
 	size_t _told_messages = 0; // of the simulation's diagnostics
+	const ToldWords _words;
+	std::vector<Notice> _spare_notices; // empty, but for its memory
 	bool _is_generating = false;
 	bool _renews_agendas = false; // at the next midnight
 	CitizenLoad _load;

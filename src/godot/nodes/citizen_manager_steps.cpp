@@ -25,6 +25,15 @@ constexpr double longest_advance = 366.0 * 86400.0; // seconds
 
 } // namespace
 
+ToldWords::ToldWords() {
+	for (size_t i = 0; i < signals.size(); ++i) {
+		signals[i] = signal_of_notice[i];
+	}
+	for (size_t i = 0; i < tasks.size(); ++i) {
+		tasks[i] = to_godot(task_kind_name(TaskKind(i)));
+	}
+}
+
 void CitizenManager::_process(double p_delta) {
 	if (!leave_lost_city() || !is_running()) { // a city that was freed has told nobody
 		return;
@@ -162,7 +171,7 @@ void CitizenManager::set_time_scale(double p_scale) {
 // Only what somebody listens to is written down.
 void CitizenManager::listen() {
 	for (size_t kind = 0; kind < Notice::kind_count; ++kind) {
-		_life->notices.want(Notice::Kind(kind), has_connections(signal_of_notice[kind]));
+		_life->notices.want(Notice::Kind(kind), has_connections(_words.signals[kind]));
 	}
 }
 
@@ -186,14 +195,15 @@ bool CitizenManager::tell_notices() {
 		return true; // whoever listened to the signal before this one has cleared the city
 	}
 	const uint64_t self = get_instance_id();
-	const std::vector<Notice> notices = _life->notices.take();
+	std::vector<Notice> notices = std::move(_spare_notices); // whoever listens may come here again
+	_life->notices.take(notices);
 	for (const Notice &notice : notices) {
-		const StringName signal = signal_of_notice[size_t(notice.kind)];
+		const StringName &signal = _words.signals[size_t(notice.kind)];
 		const int64_t person = index_of(notice.person);
 		switch (notice.kind) {
 			case Notice::Kind::LeftBuilding:
 			case Notice::Kind::EnteredBuilding: emit_signal(signal, person, int64_t(to_number(notice.building))); break;
-			case Notice::Kind::TaskStarted: emit_signal(signal, person, to_godot(task_kind_name(notice.task))); break;
+			case Notice::Kind::TaskStarted: emit_signal(signal, person, _words.tasks[size_t(notice.task)]); break;
 			case Notice::Kind::AgentSpawned:
 			case Notice::Kind::AgentFreed: emit_signal(signal, person); break;
 		}
@@ -201,6 +211,8 @@ bool CitizenManager::tell_notices() {
 			return false;
 		}
 	}
+	notices.clear();
+	_spare_notices = std::move(notices);
 	return true;
 }
 

@@ -36,9 +36,25 @@ TEST_CASE("a city read back from its bytes writes the same bytes") {
 		CHECK(diagnostics.is_empty());
 		CHECK(city_bytes(*again) == bytes);
 		CHECK(again->layout.lots.back().polygon == city.layout.lots.back().polygon);
+		CHECK(again->model.origin == fingerprint_of(city.layout));
 		CHECK(again->layout.lots.back().type == city.layout.lots.back().type);
 		CHECK(again->lots.back().free_ground == city.lots.back().free_ground);
 		CHECK(again->lots[3].entrances == city.lots[3].entrances);
+	}
+}
+
+TEST_CASE("the fingerprint tells cities apart by seed and lots") {
+	const Layout layout = small_city(LayoutKind::Grid).layout;
+	CHECK(fingerprint_of(layout) == fingerprint_of(small_city(LayoutKind::Grid).layout));
+	CHECK(fingerprint_of(layout) != 0);
+	CHECK(fingerprint_of(layout) != fingerprint_of(small_city(LayoutKind::Radial).layout));
+	Layout seeded = layout, typed = layout, moved = layout, shorter = layout;
+	++seeded.seed;
+	typed.lots[3].type += "s";
+	moved.lots[3].polygon[0].x += 0.01f;
+	shorter.lots.pop_back();
+	for (const Layout *other : { &seeded, &typed, &moved, &shorter }) {
+		CHECK(fingerprint_of(*other) != fingerprint_of(layout));
 	}
 }
 

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/cga/dialect.h"
+#include "core/city/city_bytes.h"
 #include "core/city/city_generator.h"
 #include "core/city/walkable.h"
 #include "core/io/rule_loader.h"
@@ -148,6 +149,7 @@ TEST_CASE("building one lot anew touches no other and keeps the building's id an
 	back_door.position += glm::vec3(1, 0, 0);
 	const EntranceId by_hand = city.model.add_entrance(back_door);
 	const City before = city;
+	CHECK(city.model.origin == fingerprint_of(city.layout));
 	Diagnostics diagnostics;
 	REQUIRE(regenerate_lot(city, lot, rules, {}, diagnostics));
 	for (size_t i = 0; i < city.lots.size(); ++i) {
@@ -156,6 +158,7 @@ TEST_CASE("building one lot anew touches no other and keeps the building's id an
 		CHECK(city.lots[i].objects == before.lots[i].objects);
 	}
 	CHECK(city.lots[index_of(lot)].building == building);
+	CHECK(city.model.origin == before.model.origin);
 	CHECK_FALSE(city.model.entrance(by_hand).is_removed);
 	CHECK(city.model.building(building).entrances.size() == 2);
 	CHECK(city.model.entrance(before.lots[index_of(lot)].entrances[0]).is_removed);

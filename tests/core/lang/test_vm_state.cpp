@@ -11,6 +11,20 @@ const char *const rules = "x = rand(0, 1)\n"
 						  "Start --> set(a, \"one\" + 1) set(n, 3) [ set(a, \"two\") Inner(x) log(a, n) ] log(a) log(rand(0, 1))\n"
 						  "Inner(y) --> set(n, 4) case y >= 0: wait(1) log(a, n, y == x) else: log(\"never\")";
 
+// Runs another interpreter in the middle of its own run, where a group begins.
+class NestingHost : public LogHost {
+public:
+	Vm *inner = nullptr;
+	RuleId rule = RuleId::Invalid;
+
+	void push_group(Vm &vm) override {
+		LogHost::push_group(vm);
+		if (inner != nullptr) {
+			CHECK(inner->call(rule) == RunState::Paused);
+		}
+	}
+};
+
 } // namespace
 
 TEST_CASE("a run that was saved and restored into another interpreter ends like one that was not") {
@@ -82,6 +96,48 @@ TEST_CASE("a host that pauses a loop of rules again and again keeps no frame of 
 	CHECK(most_frames == 3); // the host's, Start's, which has a log to write, and Loop's
 	CHECK(most_trail <= 5);
 	CHECK(host.text().ends_with("wait 3000,3000 1"));
+}
+
+TEST_CASE("who waits needs no stack, and who runs inside of another run has one of its own") {
+	Diagnostics diagnostics;
+	const auto program = program_of(rules, day_dialect(), diagnostics);
+	REQUIRE(program);
+	const RuleId start = program->find_rule("Start");
+	LogHost alone_host;
+	Vm alone(*program, alone_host);
+	alone.begin(42);
+	REQUIRE(alone.call(start) == RunState::Paused);
+	const VmState state = alone.save();
+	REQUIRE(alone.resume() == RunState::Finished);
+
+	VmStacks stacks;
+	LogHost hosts[3];
+	NestingHost nesting_host;
+	Vm first(*program, hosts[0], {}, &stacks), second(*program, hosts[1], {}, &stacks), third(*program, hosts[2], {}, &stacks);
+	Vm nesting(*program, nesting_host, {}, &stacks);
+	for (Vm *vm : { &first, &second, &nesting }) {
+		vm->begin(42);
+	}
+	REQUIRE(first.call(start) == RunState::Paused);
+	REQUIRE(third.restore(first.save()));
+	CHECK_FALSE(third.restore({}));
+	REQUIRE(third.restore(state));
+	CHECK(stacks.idle.size() == 1);
+	nesting_host.inner = &second;
+	nesting_host.rule = start;
+	REQUIRE(nesting.call(start) == RunState::Paused);
+	nesting_host.inner = nullptr;
+	CHECK(stacks.idle.size() == 2);
+	for (Vm *vm : { &first, &second, &third, &nesting }) {
+		CHECK(vm->resume() == RunState::Finished);
+	}
+	CHECK(hosts[0].text() == alone_host.text());
+	CHECK(hosts[1].text() == alone_host.text());
+	CHECK(nesting_host.text() == alone_host.text());
+	CHECK("[ wait " + hosts[2].text() == alone_host.text());
+	REQUIRE(first.call(start) == RunState::Paused);
+	first.abandon();
+	CHECK(stacks.idle.size() == 2);
 }
 
 TEST_CASE("a damaged or foreign state is refused") {

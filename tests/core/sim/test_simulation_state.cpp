@@ -212,5 +212,9 @@ TEST_CASE("a state of other people, other rules or a larger city is refused with
 	Town small;
 	small.building("house", 0.0f);
 	small.program = town.program;
-	CHECK(message_of(small).find("another city") != std::string::npos);
+	CHECK(message_of(small).find("parts of the city") != std::string::npos);
+	Town elsewhere;
+	fill(elsewhere, 5);
+	elsewhere.city.origin = 7;
+	CHECK(message_of(elsewhere).find("another city") != std::string::npos);
 }
