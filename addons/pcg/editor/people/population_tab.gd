@@ -7,7 +7,7 @@ const PeopleFilter := preload("res://addons/pcg/editor/people/people_filter.gd")
 const LONGEST_LIST := 500 ## rows; who looks for one of ten thousand filters
 
 var context: SceneContext
-var _inspector := EditorInspector.new()
+@onready var _inspector := EditorInspector.new()
 var _shown_citizens: CitizenManager
 
 @onready var _list: Tree = %List
