@@ -25,6 +25,8 @@ from run_tests import complaints
 WORK = ROOT / "build/export"
 TIME_LIMIT = 300  # seconds for one run
 KINDS = ("debug", "release")
+# The engine's own: Debian's release template says this of every Container in any game's scene when the game ends.
+FAULT_OF_TEMPLATE = re.compile(r"^ERROR: Attempt to disconnect a nonexistent connection from .*'(size_flags|visibility)_changed', callable: ''")
 PRESET = """[preset.0]
 name="Linux"
 platform="Linux"
@@ -47,9 +49,10 @@ func _ready() -> void:
 	await get_tree().process_frame
 	var city: PCGCity = get_tree().current_scene.city
 	var citizens: CitizenManager = get_tree().current_scene.citizens
+	city.use_collision = true # it grows, and is not built yet
 	await citizens.simulation_started
-	await get_tree().physics_frame
-	await get_tree().physics_frame
+	for frame: int in 10: # the servers of physics and of navigation take in what is new
+		await get_tree().physics_frame
 	var told := {"lots": city.get_statistics()["lots"], "errors": city.get_diagnostics().filter(_is_error), "textures": 0, "ways": 0}
 	told["raw_rules"] = FileAccess.file_exists("res://demo/steps/1_one_lot.cga")
 	for node: Node in city.find_children("*", "MeshInstance3D", true, false):
@@ -72,8 +75,8 @@ func _ready() -> void:
 	var lived: Dictionary = citizens.get_statistics()
 	told["persons"] = lived["persons"]
 	told["trips"] = lived["trips"]
-	told["outdoors"] = lived["outdoors"]
-	told["agents"] = citizens.get_agent_view().get_child_count()
+	told["outside"] = lived["outside"]
+	told["agents"] = citizens.get_agent_view().get_agent_count()
 	if DisplayServer.get_name() != "headless":
 		await RenderingServer.frame_post_draw
 		get_viewport().get_texture().get_image().save_png(OS.get_executable_path().get_base_dir().path_join("picture.png"))
@@ -115,18 +118,18 @@ def make_project(templates):
 def is_whole(told):
     """What a game needs of everything: its lots, pictures, ground to walk on and to stand on, and people who live."""
     return (told["lots"] >= 300 and not told["errors"] and told["textures"] > 0 and told["ways"] >= 15 and told["collision"]
-            and told["persons"] >= 1900 and told["trips"] > 100 and told["outdoors"] > 0 and told["agents"] > 0)
+            and told["persons"] >= 1900 and told["trips"] > 100 and told["outside"] > 0 and told["agents"] > 0)
 
 
 def judge(label, text):
     """Prints what a run came to; returns whether it is as it should be."""
     line = re.search(r"^EXPORTED (.*)$", text, re.MULTILINE)
-    wrong = complaints(text)
+    wrong = [line for line in complaints(text) if not FAULT_OF_TEMPLATE.match(line)]
     told = json.loads(line[1]) if line else {}
     good = bool(told) and is_whole(told) and not wrong
     print(f"export: {label}: {'as it should be' if good else 'NOT as it should be'}; {json.dumps(told) if told else 'it told nothing'}")
     if not good:
-        print(text)
+        print("\n".join(wrong))
     return good
 
 
@@ -145,7 +148,8 @@ def play(game, kind):
     if not shutil.which("xvfb-run"):
         print("export: no xvfb-run here, so not played on a screen")
         return good
-    screen = ["xvfb-run", "-a", "-s", "-screen 0 960x540x24", game, "--rendering-driver", "opengl3", "--resolution", "960x540"]
+    screen = ["xvfb-run", "-a", "-s", "-screen 0 960x540x24", game, "--rendering-driver", "opengl3", "--audio-driver", "Dummy",
+              "--disable-vsync", "--resolution", "960x540"]
     return judge(f"{kind}, on a screen", run(screen, game.parent)) and good
 
 
