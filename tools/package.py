@@ -18,7 +18,7 @@ EPOCH = (1980, 1, 1, 0, 0, 0)  # the earliest time that a zip can hold
 # Copied into the addon with the places that they have here, so that links between them hold. Identities stay behind (`.uid` files, and the line
 # in `.import` files): who copies a rule file or a picture into a game would have two files of one identity. The demo's project has them where
 # they are here, and with their identities, which its scenes know.
-TRAVELLING = ("README.md", "LICENSE.md", "CHANGELOG.md", "docs/.gdignore", "docs/language-*.md", "docs/citizens.md", "docs/troubleshooting.md",
+TRAVELLING = ("README.md", "LICENSE.md", "CHANGELOG.md", "docs/.gdignore", "docs/language-*.md", "docs/*-by-example.md", "docs/citizens.md", "docs/troubleshooting.md",
                "docs/getting-started.md", "docs/cookbook.md", "docs/performance.md", "docs/images/editor_*.png", "rules/**/*")
 # What README.md says of this repository alone stands between these comments.
 OF_REPOSITORY = re.compile(rb"\n<!-- repository -->\n.*?<!-- /repository -->(?=\n)", re.DOTALL)
