@@ -204,12 +204,56 @@ def unpack(packages, root):
         package.unlink()
 
 
+def fetch_templates(directory, version):
+    """Debian's export templates for its engine of `version` (what --version prints), by kind, made to run on that engine's libraries."""
+    package_version = version.partition("debian")[2]
+    if not package_version or not is_ready(directory):
+        raise FetchError(f"export templates are fetched for Debian's own Godot only, and {version or 'this engine'} is another: "
+                         "unset GODOT, or export from the editor with the templates of that engine.")
+    templates = {kind: directory / f"templates/{package_version}/godot-template-{kind}" for kind in ("debug", "release")}
+    if not all(path.is_file() for path in templates.values()):
+        work = Path(tempfile.mkdtemp(prefix="fetch-", dir=directory))
+        try:
+            download_templates(work, package_version, templates)
+        finally:
+            shutil.rmtree(work, ignore_errors=True)
+    return templates
+
+
+def download_templates(work, package_version, templates):
+    wanted = [f"{path.name}={package_version}" for path in templates.values()]
+    for suite in read_deps()["ENGINE_SUITES"].split():
+        for mirror in read_mirrors():
+            prepare_apt(work, mirror, suite)
+            subprocess.run(apt(work, "update"), capture_output=True, check=False, stdin=subprocess.DEVNULL)
+            say(f"downloading the export templates of Debian {suite}")
+            if subprocess.run(apt(work, "download", *wanted), cwd=work, capture_output=True, check=False).returncode == 0:
+                unpack(sorted(work.glob("*.deb")), work / "root")
+                for path in templates.values():
+                    path.parent.mkdir(parents=True, exist_ok=True)
+                    use_libraries(work.parent / "root", work / "root/usr/bin" / path.name)
+                    (work / "root/usr/bin" / path.name).rename(path)
+                return
+    raise FetchError(f"no Debian mirror has the export templates {package_version}. Is there a network?")
+
+
+def use_libraries(root, program):
+    """Makes a program of the engine's release run on the engine's unpacked libraries from wherever it lies on this machine."""
+    library, loader, patchelf = patching(root)
+    subprocess.run([*patchelf, "--set-interpreter", loader, "--force-rpath", "--set-rpath", library, program], check=True)
+
+
+def patching(root):
+    """The folder of the unpacked libraries, their loader, and the command line of the patchelf among them."""
+    library = next(root.glob("usr/lib/*/libc.so.6")).parent
+    loader = next(root.glob("usr/lib*/ld-linux*"), None) or next(library.glob("ld-linux*"))
+    return library, loader, [loader, "--library-path", library, root / "usr/bin/patchelf"]
+
+
 def finish(directory):
     """Makes the unpacked executable use the unpacked libraries, and writes the script that everybody runs."""
     root = directory / "root"
-    library = next(root.glob("usr/lib/*/libc.so.6")).parent
-    loader = next(root.glob("usr/lib*/ld-linux*"), None) or next(library.glob("ld-linux*"))
-    patchelf = [loader, "--library-path", library, root / "usr/bin/patchelf"]
+    library, loader, patchelf = patching(root)
     program = root / "usr/bin/godot"
     try:
         subprocess.run([*patchelf, "--set-interpreter", loader, "--force-rpath", "--set-rpath",

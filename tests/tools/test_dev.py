@@ -33,7 +33,8 @@ class Dev(unittest.TestCase):
     def test_help_names_every_command(self):
         shown = self.dev("help")
         self.assertEqual(shown.returncode, 0)
-        for command in ("run", "test", "editor", "bench", "fuzz", "soak", "docs", "package", "godot-cpp", "setup"):
+        for command in ("run", "test", "editor", "bench", "fuzz", "soak", "docs", "package", "windows", "export",
+                        "godot-cpp", "setup"):
             self.assertIn(f"./dev {command}", shown.stdout)
 
     def test_an_unknown_command_is_named_and_the_others_are_listed(self):

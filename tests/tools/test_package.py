@@ -1,5 +1,7 @@
-"""The Asset Library's zip: what it holds, that the same files give the same bytes, and that a new user gets a living day from it."""
+"""The two zips: what they hold, that the same files give the same bytes, and that a new user gets a living day from it."""
 
+import contextlib
+import io
 import os
 import re
 import subprocess
@@ -22,6 +24,13 @@ PACKED = ("CHANGELOG.md", "LICENSE.md", "README.md", "bin/libpcg.x.so", "docs/.g
           "docs/images/editor_city.png", "docs/language-cga.md", "plugin.cfg", "rules/agenda/weekday.pcg", "rules/cga/assets/grass.png", "rules/cga/assets/grass.png.import", "rules/cga/park.cga", "rules/data/table.csv",
           "rules/data/table.csv.import", "rules/paper/building.cga")
 
+HERE_ONLY = ("CONTRIBUTING.md", "docs/architecture.md", "docs/images/park.png")
+
+
+def write_quietly(target, entries):
+    with contextlib.redirect_stdout(io.StringIO()):
+        package.write_package(target, entries)
+
 
 class Package(unittest.TestCase):
     def setUp(self):
@@ -38,30 +47,41 @@ class Package(unittest.TestCase):
     def restore(self):
         package.ROOT, package.ADDON = self.saved
 
+    def write(self, name, entries):
+        write_quietly(self.root / "out" / name, entries)
+
     def test_it_holds_the_addon_with_its_rules_and_texts_and_nothing_else(self):
-        package.write_package(self.root / "out/a.zip")
+        self.write("a.zip", package.addon_entries())
         with zipfile.ZipFile(self.root / "out/a.zip") as archive:
             self.assertEqual(archive.namelist(), ["addons/pcg/" + name for name in PACKED])
 
+    def test_the_demo_is_a_project_with_everything_where_it_is_here(self):
+        for name in ("demo/showcase.tscn", "demo/showcase.gd.uid", "tests/godot/run.gd", "src/core/a.cpp"):
+            (self.root / name).parent.mkdir(parents=True, exist_ok=True)
+            (self.root / name).write_text(name)
+        self.write("demo.zip", package.demo_entries())
+        with zipfile.ZipFile(self.root / "out/demo.zip") as archive:
+            self.assertEqual(archive.namelist(), sorted((*(name for name in FILES if name not in HERE_ONLY), "demo/showcase.tscn", "demo/showcase.gd.uid")))
+
     def test_the_time_of_the_files_does_not_change_a_byte(self):
-        package.write_package(self.root / "out/a.zip")
+        self.write("a.zip", package.addon_entries())
         os.utime(self.root / "addons/pcg/plugin.cfg", (1, 1))
-        package.write_package(self.root / "out/b.zip")
+        self.write("b.zip", package.addon_entries())
         self.assertEqual((self.root / "out/a.zip").read_bytes(), (self.root / "out/b.zip").read_bytes())
 
     def test_pictures_keep_how_they_are_imported_but_not_who_they_are(self):
         (self.root / "rules/cga/assets/grass.png.import").write_text('[remap]\nuid="uid://a"\n[params]\nmipmaps/generate=true\n')
-        self.assertEqual(dict(package.entries())["addons/pcg/rules/cga/assets/grass.png.import"], b"[remap]\n[params]\nmipmaps/generate=true\n")
+        self.assertEqual(dict(package.addon_entries())["addons/pcg/rules/cga/assets/grass.png.import"], b"[remap]\n[params]\nmipmaps/generate=true\n")
 
     def test_what_is_said_of_the_repository_stays_there(self):
         (self.root / "README.md").write_text("a\n\n<!-- repository -->\nb\n\nc\n<!-- /repository -->\n\n- d\n<!-- repository -->\n- e\n"
                                              "<!-- /repository -->\n\nf\n")
-        self.assertEqual(dict(package.entries())["addons/pcg/README.md"], b"a\n\n\n- d\n\nf\n")
+        self.assertEqual(dict(package.addon_entries())["addons/pcg/README.md"], b"a\n\n\n- d\n\nf\n")
 
 
 class Texts(unittest.TestCase):
     def test_no_link_of_the_packed_texts_is_dead(self):
-        packed = dict(package.entries())
+        packed = dict(package.addon_entries())
         texts = [name for name in packed if name.endswith(".md")]
         self.assertIn("addons/pcg/README.md", texts)
         for name in texts:
@@ -150,7 +170,7 @@ class NewUser(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.project = Path(folder.name) / "game"
         self.project.mkdir()
-        package.write_package(Path(folder.name) / "pcg.zip")
+        write_quietly(Path(folder.name) / "pcg.zip", package.addon_entries())
         with zipfile.ZipFile(Path(folder.name) / "pcg.zip") as archive:
             archive.extractall(self.project)
         (self.project / "project.godot").write_text('config_version=5\n\n[application]\n\nconfig/name="A game"\n\n'

@@ -121,7 +121,8 @@ private:
 	}
 
 	void meet(uint32_t a, uint32_t b) {
-		const bool was_cut = cut_at_ends(a, b) | cut_at_ends(b, a);
+		const bool is_first_cut = cut_at_ends(a, b); // both are cut, whatever comes of the first
+		const bool was_cut = cut_at_ends(b, a) || is_first_cut;
 		const glm::dvec2 start = _points[_edges[a].from], along = _points[_edges[a].to] - start;
 		const glm::dvec2 other_start = _points[_edges[b].from], other_along = _points[_edges[b].to] - other_start;
 		const double sine = cross(along, other_along);

@@ -47,7 +47,8 @@ glm::vec3 middle_of(const std::vector<glm::vec3> &polygon) {
 	return polygon.empty() ? sum : sum / float(polygon.size());
 }
 
-CityBuilder::CityBuilder(Node3D *root, const City &city) : _root(root), _city(city) {
+CityBuilder::CityBuilder(Node3D *root, const City &city, const CollisionSettings &collision) :
+		_root(root), _city(city), _collision(collision) {
 	// Its parts are saved with the scene that the city is of, or with the city where it is a scene of its own.
 	_owner = root->get_owner() ? root->get_owner() : root;
 }
@@ -81,6 +82,11 @@ void CityBuilder::add_geometry(Node *parent, const Mesh &mesh, const std::vector
 	instance->set_position(position);
 	instance->add_to_group(group, true);
 	add(parent, instance, name);
+	Node3D *body = _collision.is_used ? make_static_body(mesh, _collision) : nullptr;
+	if (body != nullptr) {
+		add(instance, body, "Body");
+		body->get_child(0)->set_owner(_owner);
+	}
 }
 
 void CityBuilder::add_instances(Node *parent, const LotBuild &build, int32_t object, Vector3 position) {

@@ -10,6 +10,7 @@
 
 #include "core/city/city.h"
 #include "godot/city_materials.h"
+#include "godot/nodes/city_collision.h"
 #include "godot/nodes/city_instances.h"
 
 namespace pcg {
@@ -23,7 +24,7 @@ glm::vec3 middle_of(const std::vector<glm::vec3> &polygon);
 // and object, and one with the regions for walking, tile by tile.
 class CityBuilder {
 public:
-	CityBuilder(godot::Node3D *root, const City &city);
+	CityBuilder(godot::Node3D *root, const City &city, const CollisionSettings &collision = {});
 
 	// Streets first, then block by block the ground and the lots, one piece a call. False once all are there.
 	bool build_next();
@@ -54,6 +55,7 @@ private:
 
 	godot::Node3D *_root;
 	const City &_city;
+	CollisionSettings _collision;
 	godot::Node *_owner; // of everything that is made, so that it is saved with the scene
 	bool _has_streets = false;
 	uint32_t _next_block = 0;

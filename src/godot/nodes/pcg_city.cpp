@@ -288,7 +288,7 @@ void PCGCity::begin_building() {
 	_state_in_scene = _job->state;
 	_edits.follow(_state_in_scene);
 	_edits.forget_ids();
-	_builder = std::make_unique<CityBuilder>(this, _job->state->city);
+	_builder = std::make_unique<CityBuilder>(this, _job->state->city, _collision);
 }
 
 void PCGCity::build_slice() {

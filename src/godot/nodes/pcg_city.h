@@ -48,6 +48,13 @@ public:
 	void set_agent_max_slope(double p_degrees);
 	double get_agent_max_slope() const { return _agent_max_slope; }
 
+	void set_use_collision(bool p_enabled) { _collision.is_used = p_enabled; }
+	bool get_use_collision() const { return _collision.is_used; }
+	void set_collision_layer(uint32_t p_layers) { _collision.layer = p_layers; }
+	uint32_t get_collision_layer() const { return _collision.layer; }
+	void set_collision_mask(uint32_t p_layers) { _collision.mask = p_layers; }
+	uint32_t get_collision_mask() const { return _collision.mask; }
+
 	void set_asset_folders(const godot::PackedStringArray &p_folders) { _asset_folders = p_folders; }
 	godot::PackedStringArray get_asset_folders() const { return _asset_folders; }
 
@@ -97,6 +104,7 @@ protected:
 private:
 	static void bind_properties();
 	static void bind_navigation();
+	static void bind_collision();
 
 	enum class Stage { Idle, Growing, Building, Baking, Joining };
 
@@ -140,6 +148,7 @@ private:
 	double _agent_max_climb = 0.35;
 	double _agent_max_slope = 45.0;
 	godot::PackedStringArray _asset_folders;
+	CollisionSettings _collision; // of lots that are made from now on
 
 	Stage _stage = Stage::Idle;
 	bool _is_async = true;

@@ -31,6 +31,7 @@ void PCGCity::bind_properties() {
 	ADD_PROPERTY(PropertyInfo(Variant::PACKED_BYTE_ARRAY, "saved_city", PROPERTY_HINT_NONE, "", PROPERTY_USAGE_STORAGE), "set_saved_city",
 			"get_saved_city");
 	bind_navigation();
+	bind_collision();
 }
 
 void PCGCity::bind_navigation() {
@@ -50,6 +51,19 @@ void PCGCity::bind_navigation() {
 	ClassDB::bind_method(D_METHOD("get_agent_max_slope"), &PCGCity::get_agent_max_slope);
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "agent_max_slope", PROPERTY_HINT_RANGE, "0,90,0.5,suffix:°"), "set_agent_max_slope",
 			"get_agent_max_slope");
+}
+
+void PCGCity::bind_collision() {
+	ADD_GROUP("Collision", "");
+	ClassDB::bind_method(D_METHOD("set_use_collision", "enabled"), &PCGCity::set_use_collision);
+	ClassDB::bind_method(D_METHOD("get_use_collision"), &PCGCity::get_use_collision);
+	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "use_collision"), "set_use_collision", "get_use_collision");
+	ClassDB::bind_method(D_METHOD("set_collision_layer", "layers"), &PCGCity::set_collision_layer);
+	ClassDB::bind_method(D_METHOD("get_collision_layer"), &PCGCity::get_collision_layer);
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "collision_layer", PROPERTY_HINT_LAYERS_3D_PHYSICS), "set_collision_layer", "get_collision_layer");
+	ClassDB::bind_method(D_METHOD("set_collision_mask", "layers"), &PCGCity::set_collision_mask);
+	ClassDB::bind_method(D_METHOD("get_collision_mask"), &PCGCity::get_collision_mask);
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "collision_mask", PROPERTY_HINT_LAYERS_3D_PHYSICS), "set_collision_mask", "get_collision_mask");
 }
 
 void PCGCity::_bind_methods() {

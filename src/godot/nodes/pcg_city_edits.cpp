@@ -121,7 +121,7 @@ bool PCGCity::regenerate(const std::vector<LotId> &lots) {
 	}
 	std::vector<std::pair<LotId, PCGLot *>> nodes; // lots that were deleted stay away
 	std::vector<LotId> wanted;
-	CityBuilder builder(this, _state->city);
+	CityBuilder builder(this, _state->city, _collision);
 	for (const LotId lot : lots) {
 		if (PCGLot *node = _edits.lot_node(lot)) {
 			nodes.emplace_back(lot, node);

@@ -10,8 +10,8 @@ const HIGHEST_SEED := 999_999
 
 var context: SceneContext
 var history: CityHistory
-var _layout_inspector := EditorInspector.new()
-var _attribute_inspector := EditorInspector.new()
+@onready var _layout_inspector := EditorInspector.new()
+@onready var _attribute_inspector := EditorInspector.new()
 var _attributes: RuleAttributes
 var _shown_city: PCGCity
 

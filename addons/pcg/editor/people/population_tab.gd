@@ -9,9 +9,9 @@ const LONGEST_LIST := 500 ## rows; who looks for one of ten thousand filters
 
 var context: SceneContext
 var history: PeopleHistory
-var _inspector := EditorInspector.new()
 var _shown_citizens: CitizenManager
 
+@onready var _inspector := EditorInspector.new()
 @onready var _list: Tree = %List
 @onready var _filter: LineEdit = %Filter
 @onready var _shares: Tree = %Shares
