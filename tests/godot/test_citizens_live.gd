@@ -1,37 +1,11 @@
-extends "res://tests/godot/suite.gd"
-## What a game does to people while they live: entries, quests, newcomers, saved games; and scripts that do it at the wrong moment.
+extends "res://tests/godot/living_suite.gd"
+## What a game does to people while they live: entries, quests, newcomers; and scripts that do it at the wrong moment.
 
-const CityForTests := preload("res://tests/godot/city_for_tests.gd")
-const HOUR := 3600.0
-## The first adult brings the children to school and fetches them, if it brought them.
-const SCHOOL_RUN := """@StartRule
-Household -->
-	members { true: stayInside(0h, 24h, home) }
-	members { age < 18: task("school") { goToBuilding(7h30m, 16h, findNearestBuilding("school", home)) } }
-	case count(age < 18) > 0: members { age >= 18: requires("school") { delayedRule(16h, 17h, Park) } }
-Park --> goToZone("park") wait(10m)
-"""
 ## Rules that call the game in the middle of a step.
 const CALLING := """@StartRule
 Household --> members { true: delayedRule(9h + rand(0, 1h), 11h, Call) }
 Call --> wait(60) case testCall(): wait(60) else: wait(30)
 """
-
-var _city: PCGCity
-var _citizens: CitizenManager
-
-
-func before_each() -> void:
-	_city = CityForTests.make_city()
-	add_child(_city)
-	_city.generate_now()
-	_make_citizens()
-
-
-func _make_citizens() -> void:
-	_citizens = CityForTests.make_citizens(_city)
-	_citizens.check_promises = true
-	add_child(_citizens)
 
 
 func _leaves_school_at_noon(child: int) -> bool:
@@ -64,35 +38,6 @@ func test_people_take_over_new_rules_between_two_days_without_a_new_beginning() 
 	_citizens.advance(24.0 * HOUR)
 	check_equal(restarts[0], 0, "life was not begun anew")
 	check_equal(_citizens.get_broken_promises().values().max(), 0, "no promise is broken: %s" % [_citizens.get_broken_promise_examples()])
-
-
-func _begin(hour: float = 0.0) -> void:
-	check(_citizens.generate_population(), "there are people: %s" % [_citizens.get_diagnostics()])
-	_citizens.jump_to(0, hour * HOUR)
-	check(_citizens.start(), "life begins")
-
-
-func _check_promises() -> void:
-	for count: int in _citizens.get_broken_promises().values():
-		check_equal(count, 0, "a promise: %s" % [_citizens.get_broken_promise_examples()])
-
-
-func _somebody(wanted: Callable) -> int:
-	var found: PackedInt32Array = _citizens.find_persons(wanted)
-	check(not found.is_empty(), "there is somebody like that")
-	return found[0] if not found.is_empty() else 0
-
-
-func _school() -> int:
-	var child: int = _somebody(func(person: Dictionary) -> bool: return person["age"] < 18)
-	var home: int = _citizens.get_person(child)["home"]
-	return _citizens.get_agenda(child).filter(func(task: Dictionary) -> bool: return task["target"] != home)[0]["target"]
-
-
-func _adult_with_child() -> int:
-	var children: PackedInt32Array = _citizens.find_persons(func(person: Dictionary) -> bool: return person["age"] < 18)
-	var household: int = _citizens.get_person(children[0])["household"]
-	return _somebody(func(person: Dictionary) -> bool: return person["household"] == household and person["age"] >= 18)
 
 
 func test_persons_are_found_by_what_they_are_and_do() -> void:
@@ -224,109 +169,6 @@ func test_people_come_and_go() -> void:
 	check(_citizens.add_people(people).is_empty(), "nobody without a home")
 	_citizens.advance(24 * HOUR)
 	_check_promises()
-
-
-func test_a_saved_life_goes_on_as_it_would_have() -> void:
-	_begin(7.5)
-	_citizens.advance(20 * 60.0)
-	_citizens.take_over(2)
-	_citizens.paused = true
-	var path := "user://state_of_tests.pcgstate"
-	check_equal(_citizens.save_state_file(path), OK, "saved while paused")
-	_citizens.advance(2 * HOUR)
-	var later: Array = _where_everybody_is()
-	_make_citizens() # nobody lives with this one yet
-	check_equal(_citizens.load_state_file(path), OK, "loaded into one that never ran")
-	check_equal(_citizens.get_clock_text(), "07:50", "at that time")
-	check_equal(_citizens.get_person(2)["presence"], "taken", "with what the game had")
-	check_equal(_citizens.get_agent_view().get_agent_count(), _citizens.get_persons_outside().size() - 1, "all others outdoors have bodies")
-	_citizens.advance(2 * HOUR)
-	check_equal(_where_everybody_is(), later, "the same future")
-	DirAccess.remove_absolute(path)
-	_check_promises()
-
-
-func _where_everybody_is() -> Array:
-	return range(_citizens.get_statistics()["persons"]).map(func(id: int) -> Array:
-		var person: Dictionary = _citizens.get_person(id)
-		return [person["state"], person["place"], person["position"]])
-
-
-func test_states_that_do_not_fit_are_refused_and_life_goes_on() -> void:
-	expect_message("nothing runs. Call start() before save_state()")
-	check(_citizens.save_state().is_empty(), "nothing to save")
-	_begin(8.0)
-	var good: PackedByteArray = _citizens.save_state()
-	var before: Array = _where_everybody_is()
-	var stops: Array[int] = [0]
-	_citizens.simulation_stopped.connect(func() -> void: stops[0] += 1)
-	var damaged: PackedByteArray = good.duplicate()
-	damaged[good.size() / 2] += 1
-	expect_message("the saved simulation is damaged")
-	check(not _citizens.load_state(damaged), "damaged")
-	check(not _citizens.load_state(good.slice(0, 40)), "cut")
-	expect_message("this is no saved simulation")
-	check(not _citizens.load_state(PackedByteArray()), "nothing")
-	var newer: PackedByteArray = good.duplicate()
-	newer[8] = 99
-	expect_message("it was saved by a newer version (format 99")
-	check(not _citizens.load_state(newer), "newer")
-	expect_message("no such file.pcgstate")
-	check_equal(_citizens.load_state_file("user://no such file.pcgstate"), ERR_FILE_CANT_READ, "not there")
-	check_equal(_where_everybody_is(), before, "nothing has changed")
-	check_equal(stops[0], 0, "and life went on")
-	var other: PCGCity = CityForTests.make_city()
-	other.lot_types = [CityForTests.make_type("house", 1, "Lot --> entrance(\"house\", 4)\n")]
-	other.seed = 9
-	add_child(other)
-	other.generate_now()
-	_citizens.rules = CityForTests.make_rules(SCHOOL_RUN, PCGRuleSet.DIALECT_AGENDA)
-	expect_message("the state was saved with other rules")
-	check(not _citizens.load_state(good), "other rules")
-	check(_citizens.is_running(), "it still runs")
-
-
-func test_a_state_of_another_city_is_refused_and_edits_make_no_other_city() -> void:
-	_begin(8.0)
-	var saved: PackedByteArray = _citizens.save_state()
-	_citizens.stop()
-	var seed_before: int = _city.seed
-	_city.seed = seed_before + 8
-	_city.generate_now()
-	expect_message("the state was saved in another city")
-	check(not _citizens.load_state(saved), "a city of another seed")
-	_city.seed = seed_before
-	_city.generate_now()
-	var lot: PCGLot = _city.find_children("*", "PCGLot", true, false)[3]
-	lot.position.x += 1.0
-	_city.update_model()
-	check(_citizens.load_state(saved), "its own, where a lot was moved")
-	_check_promises()
-
-
-func test_people_who_are_kept_stay_the_same_and_can_be_edited() -> void:
-	check(_citizens.generate_population(), "people by chance")
-	var people: PCGPopulation = _citizens.keep_population()
-	var first: Dictionary = _citizens.get_person(0)
-	_citizens.seed = 99
-	check(_citizens.generate_population(), "people who were kept")
-	first["household_row"] = -1 # no table says who it is
-	check_equal(_citizens.get_person(0), first, "the same one")
-	people.source = people.source.replace("\n0,0,%d,%s" % [first["home"], people.source.get_slice("\n", 1).get_slice(",", 3)], "\n0,0,%d,77" % first["home"])
-	check(_citizens.generate_population(), "edited by hand")
-	check_equal(_citizens.get_person(0)["age"], 77, "older now")
-	var path := "user://people_of_tests.csv"
-	check_equal(people.save_csv(path), OK, "written")
-	_citizens.population = PCGPopulation.from_file(path)
-	check(_citizens.generate_population(), "read back")
-	check_equal(_citizens.get_person(0)["age"], 77, "as it was written")
-	check_equal(ResourceSaver.save(people, "user://people_of_tests.tres"), OK, "a resource, too")
-	check_equal(ResourceLoader.load("user://people_of_tests.tres").source, people.source, "with the same text")
-	for written: String in [path, "user://people_of_tests.tres"]:
-		DirAccess.remove_absolute(written)
-	expect_message("people_of_tests.csv")
-	_citizens.population.reload()
-	check(not _citizens.generate_population(), "the file is gone")
 
 
 func test_monitors_stand_in_the_debugger_while_the_node_is_in_the_tree() -> void:

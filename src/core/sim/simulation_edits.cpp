@@ -191,6 +191,7 @@ void Simulation::change_agendas(const std::function<std::shared_ptr<const Progra
 	}
 	_behaviors.clear(); // they run the old program
 	_free_behaviors.clear();
+	_rule_stacks.idle.clear(); // rules of the new one may need larger ones
 	_program = change();
 	_party_of_group.assign(_agendas.groups.size(), PersonRecord::none);
 	_floating_taken.assign(_agendas.floating_tasks.size(), never_taken);

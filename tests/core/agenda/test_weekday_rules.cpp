@@ -19,8 +19,8 @@ AgendaFixture town() {
 
 // Everybody or nobody of an age does errands, so that the outcome is certain.
 void set_shoppers(AgendaFixture &fixture, double adults, double elders) {
-	fixture.options.overrides.push_back({ "adultShoppers", Value::of(adults) });
-	fixture.options.overrides.push_back({ "elderShoppers", Value::of(elders) });
+	fixture.options.overrides.push_back({ "adultShoppers", adults });
+	fixture.options.overrides.push_back({ "elderShoppers", elders });
 }
 
 } // namespace

@@ -135,9 +135,21 @@ TEST_CASE("who waits needs no stack, and who runs inside of another run has one 
 	CHECK(hosts[1].text() == alone_host.text());
 	CHECK(nesting_host.text() == alone_host.text());
 	CHECK("[ wait " + hosts[2].text() == alone_host.text());
-	REQUIRE(first.call(start) == RunState::Paused);
-	first.abandon();
-	CHECK(stacks.idle.size() == 2);
+}
+
+TEST_CASE("a run that is given up leaves its stack to others") {
+	Diagnostics diagnostics;
+	const auto program = program_of(rules, day_dialect(), diagnostics);
+	REQUIRE(program);
+	VmStacks stacks;
+	LogHost host;
+	Vm vm(*program, host, {}, &stacks);
+	vm.begin(42);
+	for (int time = 0; time < 2; ++time) {
+		REQUIRE(vm.call(program->find_rule("Start")) == RunState::Paused);
+		vm.abandon();
+		CHECK(stacks.idle.size() == 1);
+	}
 }
 
 TEST_CASE("a damaged or foreign state is refused") {
