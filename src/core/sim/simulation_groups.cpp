@@ -64,8 +64,8 @@ uint32_t Simulation::call_party(uint32_t group, PersonId caller) {
 	return index;
 }
 
-// Whether the person still has to begin its entry of the group on the day of the caller's. Newer entries may have removed or cut it; who has begun it and
-// is in no party went there already, with others or alone.
+// Whether the person still has to begin its entry of the group on the day of the caller's. Newer entries may have removed or cut it; who has begun it
+// went there already, with others or alone, or is on the way.
 bool Simulation::is_expected(PersonId id, uint32_t group, PersonId caller) const {
 	if (index_of(id) >= _persons.size() || record(id).is_absent()) {
 		return false;
@@ -77,7 +77,7 @@ bool Simulation::is_expected(PersonId id, uint32_t group, PersonId caller) const
 		for (const Task &task : _agendas.agenda_of(id).on(day)) {
 			const SimTime task_start = SimTime::at(day, task.start());
 			const bool is_on = (task.days >> task_start.weekday()) & 1;
-			if (is_on && task.kind == TaskKind::Accompany && task.target == group && task_start < first + one_day) {
+			if (is_on && task.kind == TaskKind::Accompany && task.target == group && task_start >= first && task_start < first + one_day) {
 				start = std::min(start, task_start);
 				end = std::max(end, SimTime::at(day, task.end()));
 			}

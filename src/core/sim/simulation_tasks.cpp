@@ -18,8 +18,9 @@ PlannedEntry Simulation::entry_of(PersonId id) const {
 	uint32_t target = PersonRecord::none;
 	if (person.is_in_group()) {
 		target = _parties[person.party].group;
-	} else if (!person.is_in_hole() && person.entry_task != PlannedEntry::gone) {
-		target = _agendas.agenda_of(id).on(person.entry_start.day())[person.entry_task].target;
+	} else if (!person.is_in_hole()) {
+		const std::span<const Task> tasks = _agendas.agenda_of(id).on(person.entry_start.day());
+		target = person.entry_task < tasks.size() ? tasks[person.entry_task].target : target; // it may be gone
 	}
 	return { person.entry_start, person.entry_end, target, person.entry_task, person.entry_kind };
 }
