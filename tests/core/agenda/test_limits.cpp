@@ -59,11 +59,11 @@ Household -->
 }
 
 TEST_CASE("what multiplies is told from rules that call each other without an end") {
-	const auto hint = [](const std::string &rules) {
+	const auto hint = [](const std::string &rules, int members = 4) {
 		AgendaFixture fixture;
 		fixture.add_building("house", 0);
 		fixture.add_household(BuildingId(0));
-		for (int i = 0; i < 4; ++i) {
+		for (int i = 0; i < members; ++i) {
 			fixture.add_person(40);
 		}
 		REQUIRE(fixture.generate("@StartRule\nHousehold --> " + rules));
@@ -75,6 +75,7 @@ TEST_CASE("what multiplies is told from rules that call each other without an en
 		nested = "members { true: " + nested + " }";
 	}
 	CHECK(hint(nested).starts_with("blocks and conditions run inside of each other"));
+	CHECK(hint("members { count(age > 3) > 1: stayInside(0h, 1h, home) }", 2000).starts_with("blocks and conditions run inside of each other"));
 	CHECK(hint("Twice(0)\nTwice(n) --> case n < 900: Twice(n + 1) Twice(n + 1)") == "do rules call each other without an end?");
 }
 
