@@ -184,7 +184,7 @@ void GenerationContext::report_dropped(const DroppedTask &dropped) {
 	const std::string name = "'" + _names[dropped.name] + "'";
 	const std::string reason = dropped.reason == Unmet::Lost ? "newer entries took " + name + " away"
 			: dropped.reason == Unmet::NotOver				  ? name + " is not over by then"
-			: is_deserted									  ? "newer entries called everybody away who was to come along"
+			: is_deserted									  ? "another leader called everybody away who was to come along"
 															  : "nobody there has " + name;
 	report(diagnostic_at(*world().program, dropped.task.origin, Severity::Warning, is_deserted ? deserted_id : requirement_unmet_id,
 			name_of(dropped.person) + " drops '" + std::string(task_kind_name(dropped.task.kind)) + "' at " +

@@ -33,7 +33,7 @@ public:
 	uint8_t number_of(Vm &vm, const Requirement &requirement);
 	const std::vector<std::string> &names() const { return _names; }
 	const std::vector<Requirement> &requirements() const { return _requirements; }
-	// Takes out what requires entries that newer ones took away, and walks of leaders with whom nobody is left to go, and reports it.
+	// Takes out what requires entries that newer ones took away, and walks of leaders from whom others called everybody away, and reports it.
 	void drop_unmet_tasks();
 
 	Agenda &agenda_of(PersonId member) { return _members[index_in_household(member)].agenda; }

@@ -38,7 +38,7 @@ private:
 			for (size_t i = 0; i < tasks.size(); ++i) {
 				const Group *group = group_of(tasks[i]);
 				const bool leads = group != nullptr && group->leader == person_of(member);
-				const DayMask lonely = leads ? set_out_days(*group, tasks[i]) & DayMask(~joiner_days(*group, tasks[i].target)) : DayMask(0);
+				const DayMask lonely = leads ? set_out_days(*group, tasks[i]) & deserted_days(*group, tasks[i].target) : DayMask(0);
 				if (lonely != 0) {
 					DroppedTask dropped{ group->leader, tasks[i], Unmet::Deserted, 0, std::nullopt };
 					dropped.task.days = rotate_days(lonely, tasks[i].start_ms < group->start_ms ? 1 : 0);
@@ -51,13 +51,24 @@ private:
 		return false;
 	}
 
-	// On which any joiner is left, as days of the group.
-	DayMask joiner_days(const Group &group, uint32_t number) const {
-		DayMask days = 0;
+	// On which no joiner is left, and one of them walks with another leader in the time.
+	DayMask deserted_days(const Group &group, uint32_t number) const {
+		DayMask left = 0, called_away = 0;
 		for (PersonId joiner : group.joiners) {
 			for (const Task &task : _household.of(joiner).tasks()) {
-				days |= is_walk(task, number) ? set_out_days(group, task) : DayMask(0);
+				left |= is_walk(task, number) ? set_out_days(group, task) : DayMask(0);
+				called_away |= task.kind == TaskKind::Accompany && task.target != number ? met_days(group, task) : DayMask(0);
 			}
+		}
+		return called_away & DayMask(~left);
+	}
+
+	// On which the group sets out and the entry lies in its time.
+	static DayMask met_days(const Group &group, const Task &task) {
+		DayMask days = 0;
+		for (int shift = -1; shift <= 1; ++shift) {
+			const int64_t start = task.start_ms + shift * one_day.ms, end = task.end_ms + shift * one_day.ms;
+			days |= start < group.end_ms && group.start_ms < end ? rotate_days(task.days, -shift) : DayMask(0);
 		}
 		return days;
 	}

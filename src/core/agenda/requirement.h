@@ -44,7 +44,7 @@ enum class Unmet : uint8_t {
 	Missing, // nobody of the household had an entry of that name
 	Lost, // newer entries took it away, or its end
 	NotOver, // it is not over when the requiring entry begins
-	Deserted, // a leader's walk together: newer entries called everybody away who was to come along
+	Deserted, // a leader's walk together: another leader called everybody away who was to come along
 };
 
 // An entry that was taken out because what it needs is not there.
@@ -65,7 +65,7 @@ struct HouseholdAgendas {
 	Agenda &of(PersonId person) const { return *members[index_of(person) - index_of(first_member)]; }
 };
 
-// Takes out, day by day, the walks of leaders whom nobody is left to go with, and what requires an entry that is not lived, and then what required that. The required entry is one written for the same
+// Takes out, day by day, the walks of leaders from whom others called everybody away, and what requires an entry that is not lived, and then what required that. The required entry is one written for the same
 // day (an entry at 30 h belongs to the day before the morning it begins on); of `after` it is over when the requiring one begins. Whoever
 // has entries of the name needs one of its own, everybody else anybody's in the household. A walk together is lived while the leader and one
 // joiner are left; where a leader's walk falls out the joiners' walks do too, and the leader's with the last joiner's.

@@ -95,10 +95,7 @@ bool Vm::count_step_with_care() {
 		_failed = _failed || _host->is_interrupted();
 		return !_failed;
 	}
-	fail("step-limit", "gave up after " + std::to_string(_limits.max_steps) + " calls in one run",
-			_native_depth > 1 ? "blocks and conditions run inside of each other here, and their numbers multiply: ask once beforehand and keep the answer"
-							  : "do rules call each other without an end?");
-	return false;
+	return fail_steps();
 }
 
 // Most attributes are plain numbers and texts: they need no evaluation in each run.

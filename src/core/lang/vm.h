@@ -206,6 +206,7 @@ private:
 		return (_steps <= _limits.max_steps && _steps % steps_between_questions != 0) || count_step_with_care();
 	}
 	bool count_step_with_care();
+	bool fail_steps();
 	Value evaluate_leaf(Chunk chunk);
 	void reset_initial_attributes();
 	bool can_enter_native() const { return _native_depth < _limits.max_native_depth && _top + _program->max_stack <= _stack_end; }

@@ -122,6 +122,16 @@ bool Vm::begin_import(const ImportScope &scope, std::span<const Value> values) {
 	return !_failed;
 }
 
+// A step that is no call of a rule or function is a block's or condition's, which a built-in asks for once for each of many.
+bool Vm::fail_steps() {
+	const OpCode last = _address > 0 ? _program->code[_address - 1].code : OpCode::End;
+	const bool is_call = last == OpCode::CallRule || last == OpCode::CallHostRule || last == OpCode::CallUser;
+	fail("step-limit", "gave up after " + std::to_string(_limits.max_steps) + " calls in one run",
+			_native_depth > 1 || !is_call ? "blocks and conditions run inside of each other here, and their numbers multiply: ask once beforehand and keep the answer"
+										  : "do rules call each other without an end?");
+	return false;
+}
+
 Value Vm::find_target(std::string_view prefix, const Value &name) {
 	const std::string_view text = name.is_text() ? name.text->view : std::string_view();
 	const int attribute = _program->find_attribute(std::string(prefix) + std::string(text));

@@ -70,6 +70,14 @@ TEST_CASE("calls of what the host added are checked at load time") {
 	CHECK(game.fixture.diagnostics.list()[3].hint == "did you mean `isOpen`?");
 }
 
+TEST_CASE("what the host added is a near name, also where a command belongs") {
+	Game game;
+	CHECK_FALSE(game.generate("@StartRule\nHousehold -->\n\tvisti(\"shop\", 10)\n\tisOpne(1)"));
+	REQUIRE(game.fixture.problems() == "unknown-name unknown-name");
+	CHECK(game.fixture.diagnostics.list()[0].hint == "did you mean `visit`?");
+	CHECK(game.fixture.diagnostics.list()[1].hint == "did you mean `isOpen`? It gives a value: use it inside of an expression");
+}
+
 TEST_CASE("what the host says is told with household and place") {
 	Game game;
 	game.generate("@StartRule\nHousehold -->\n\tmembers { true: visit(\"museum\", 10) }");

@@ -53,8 +53,41 @@ Household -->
 	members { true: members { true: stayInside(20h, 21h, home) } }
 )"));
 	CHECK(fixture.problems() == "step-limit");
+	CHECK(fixture.diagnostics.list()[0].hint == "blocks and conditions run inside of each other here, and their numbers multiply: ask once beforehand and keep the answer");
 	CHECK(fixture.day_of(PersonId(65'534)).find("09:00-10:00 accompany to 1") != std::string::npos);
 	CHECK(fixture.day_of(neighbor) == "00:00-08:00 stay 0; 20:00-21:00 stay 0");
+}
+
+TEST_CASE("what multiplies is told from rules that call each other without an end") {
+	const auto hint = [](const std::string &rules, int members = 4) {
+		AgendaFixture fixture;
+		fixture.add_building("house", 0);
+		fixture.add_household(BuildingId(0));
+		for (int i = 0; i < members; ++i) {
+			fixture.add_person(40);
+		}
+		REQUIRE(fixture.generate("@StartRule\nHousehold --> " + rules));
+		REQUIRE(fixture.problems() == "step-limit");
+		return fixture.diagnostics.list()[0].hint;
+	};
+	std::string nested = "stayInside(0h, 1h, home)";
+	for (int i = 0; i < 40; ++i) {
+		nested = "members { true: " + nested + " }";
+	}
+	CHECK(hint(nested).starts_with("blocks and conditions run inside of each other"));
+	CHECK(hint("members { count(age > 3) > 1: stayInside(0h, 1h, home) }", 2000).starts_with("blocks and conditions run inside of each other"));
+	CHECK(hint("Twice(0)\nTwice(n) --> case n < 900: Twice(n + 1) Twice(n + 1)") == "do rules call each other without an end?");
+}
+
+TEST_CASE("rules that hand each other on, the last one first, are followed at once") {
+	AgendaFixture fixture = two_households();
+	std::string rules = "@StartRule\nHousehold --> members { true: delayedRule(0h, 1h, R99999) }\nR0 --> stayInside(0h, 1h, home)\n";
+	for (int i = 1; i < 100'000; ++i) {
+		rules += "R" + std::to_string(i) + " --> floatingTask(5m, R" + std::to_string(i - 1) + ")\n";
+	}
+	REQUIRE(fixture.generate(rules));
+	CHECK(fixture.diagnostics.error_count() == 0);
+	CHECK(fixture.diagnostics.warning_count() == 100'000); // each writes agendas when it runs later
 }
 
 TEST_CASE("one run-time error of every household is one message with a count") {

@@ -35,6 +35,26 @@ TEST_CASE("agendas are a row for each entry and day, with the numbers of the fil
 			"household,person,age,gender,day,start,end,kind,target,detail\n");
 }
 
+TEST_CASE("a walk together lists who comes along on the day of the row") {
+	AgendaFixture fixture;
+	fixture.add_building("house", 0);
+	fixture.add_building("school", 100);
+	fixture.add_household(BuildingId(0));
+	for (float age : { 40.0f, 42.0f, 8.0f, 9.0f }) {
+		fixture.add_person(age);
+	}
+	REQUIRE(fixture.generate("@StartRule\nHousehold --> members { age < 18: goToBuilding(8h, 9h, 1) } members { age == 40: accompany(8h, age < 18) }\n"
+							 "members { age == 42: days(\"mon\") { accompany(8h, age == 9) } }"));
+	CHECK(agendas_to_csv(fixture.agendas, fixture.population, *fixture.program, {}, 0) ==
+			"household,person,age,gender,day,start,end,kind,target,detail\n"
+			"0,0,40,w,mon,28800,32400,accompany,1,leader 0 joiners 2\n"
+			"0,1,42,w,mon,28800,32400,accompany,1,leader 1 joiners 3\n"
+			"0,2,8,w,mon,28800,32400,accompany,1,leader 0 joiners 2\n"
+			"0,3,9,w,mon,28800,32400,accompany,1,leader 1 joiners 3\n");
+	const std::string tuesday = agendas_to_csv(fixture.agendas, fixture.population, *fixture.program, {}, 1);
+	CHECK(tuesday.find("0,3,9,w,tue,28800,32400,accompany,1,leader 0 joiners 2 3\n") != std::string::npos);
+}
+
 TEST_CASE("agendas that are written part by part are the same table, with the same messages") {
 	AgendaFixture fixture;
 	const BuildingId home = fixture.add_building("house", 0);
