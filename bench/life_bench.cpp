@@ -115,7 +115,7 @@ bool measure(const HouseholdTable &table, const std::shared_ptr<const Program> &
 
 int main(int count, char **arguments) {
 	Diagnostics diagnostics;
-	const Result<HouseholdTable> table = read_household_table("rules/data/households_us_acs2023.csv");
+	const std::optional<HouseholdTable> table = read_household_table("rules/data/households_us_acs2023.csv", diagnostics);
 	const auto program = load_program("rules/agenda/weekday.pcg", pcg_dialect(), diagnostics);
 	if (!table || !program) {
 		std::fprintf(stderr, "%s\nrun this in the folder that holds rules/\n", to_text(diagnostics).c_str());

@@ -63,7 +63,7 @@ func _process(_delta: float) -> void:
 		return
 	_clock.text = "%s %s" % [DAYS[posmod(citizens.day, 7)], citizens.get_clock_text()]
 	var view: PCGAgentView = citizens.get_agent_view()
-	_figures.text = "%d of %d people are outdoors" % [view.get_agent_count() if view != null else 0, citizens.get_statistics()["persons"]]
+	_figures.text = "%d of %d people are outdoors" % [view.get_agent_count() if view != null else 0, citizens.count_persons()]
 	if not Input.is_mouse_button_pressed(MOUSE_BUTTON_LEFT):
 		_time.set_value_no_signal(citizens.time / SECONDS_PER_HOUR)
 

@@ -70,7 +70,7 @@ func describe_now(who: Dictionary) -> String:
 	var doing: String = "sits on" if state == "at-place" and place["kind"] == "object" else DOING.get(state, state)
 	var text: String = "%s %s" % [doing, _name_of_place(who, place)]
 	if who.has("arrival"):
-		text += ", arrives at %s" % _clock(who["arrival"])
+		text += ", arrives at %s" % CitizenManager.format_clock(fposmod(who["arrival"], DAY_SECONDS))
 	if int(who.get("leader", -1)) not in [-1, person]:
 		text += ", with %s" % citizens.get_person(who["leader"])["name"]
 	return text
@@ -81,7 +81,7 @@ func describe_agenda(who: Dictionary) -> String:
 	var lines := PackedStringArray()
 	for entry: Dictionary in citizens.get_agenda(person, citizens.day):
 		var is_now: bool = entry["start"] <= citizens.time and citizens.time < entry["end"]
-		var line: String = "%s – %s  [b]%s[/b]" % [_clock(entry["start"]), _clock(entry["end"]), _describe_task(who, entry)]
+		var line: String = "%s – %s  [b]%s[/b]" % [CitizenManager.format_clock(entry["start"]), CitizenManager.format_clock(entry["end"]), _describe_task(who, entry)]
 		if is_now:
 			line = "[color=%s]%s[/color]" % [NOW_COLOR, line]
 		lines.append(line + "\n[color=%s]    %s, %s:%d[/color]" % [DIM_COLOR, entry.get("rule", ""), str(entry.get("file", "")).get_file(), entry.get("line", 0)])
@@ -125,9 +125,3 @@ func _name_of_place(who: Dictionary, place: Dictionary) -> String:
 
 func _name_of_building(who: Dictionary, id: int) -> String:
 	return "home" if id == who["home"] else "%s %d" % [city.get_building(id).get("type", "building"), id]
-
-
-## Seconds of the day as hours and minutes; days before and after do not show.
-func _clock(seconds: float) -> String:
-	var minutes: int = floori(fposmod(seconds, DAY_SECONDS) / 60.0)
-	return "%02d:%02d" % [floori(minutes / 60.0), minutes % 60]

@@ -69,9 +69,9 @@ func has_person() -> bool:
 	return citizens != null and citizens.has_person(person)
 
 
-## Persons that were generated. Costs all figures of the simulation.
+## Persons that were generated.
 func count_persons() -> int:
-	return citizens.get_statistics()["persons"] if citizens else 0
+	return citizens.count_persons() if citizens else 0
 
 
 ## The table's words for the household of a person as CitizenManager.get_person() tells it; empty for one that stands in no table.

@@ -181,7 +181,7 @@ void Simulation::take_in_agenda(PersonId id) {
 	schedule(id);
 }
 
-void Simulation::change_agendas(const std::function<std::shared_ptr<const Program>()> &change) {
+void Simulation::change_agendas(const std::function<std::shared_ptr<const Program>()> &change, std::vector<AttributeOverride> overrides) {
 	std::vector<PersonId> living;
 	for (size_t i = 0; _has_started && i < _persons.size(); ++i) {
 		if (const PersonId id = PersonId(uint32_t(i)); is_living(id)) {
@@ -193,6 +193,7 @@ void Simulation::change_agendas(const std::function<std::shared_ptr<const Progra
 	_free_behaviors.clear();
 	_rule_stacks.idle.clear(); // rules of the new one may need larger ones
 	_program = change();
+	_settings.overrides = std::move(overrides);
 	_party_of_group.assign(_agendas.groups.size(), PersonRecord::none);
 	_floating_taken.assign(_agendas.floating_tasks.size(), never_taken);
 	_city_revision = _city.revision() - 1; // what rules know of the city is made for their program

@@ -75,8 +75,10 @@ bool CitizenManager::take_over_rules() {
 	const std::shared_ptr<const Program> program = _rules->program();
 	const uint64_t self = get_instance_id();
 	Diagnostics diagnostics;
+	AgendaOptions options = agenda_options(*life);
+	options.overrides = attributes(diagnostics);
 	_is_generating = true;
-	AgendaSet agendas = generate_agendas(*program, life->city->city.model, *life->city->paths, life->population, agenda_options(), diagnostics);
+	AgendaSet agendas = generate_agendas(*program, life->city->city.model, *life->city->paths, life->population, options, diagnostics);
 	if (!is_there(self)) {
 		return false;
 	}
@@ -89,11 +91,12 @@ bool CitizenManager::take_over_rules() {
 	const auto change = [&] {
 		life->agendas = std::move(agendas);
 		life->program = program;
+		life->attributes = options.overrides;
 		return program;
 	};
 	if (!is_running()) {
 		change();
-	} else if (!move([&](Simulation &simulation) { simulation.change_agendas(change); }) || !tell_news()) {
+	} else if (!move([&](Simulation &simulation) { simulation.change_agendas(change, options.overrides); }) || !tell_news()) {
 		return false;
 	}
 	emit_signal("agendas_renewed");

@@ -25,12 +25,12 @@ TEST_CASE("other agendas and rules are taken over by everybody where they are") 
 		for (std::vector<Task> &tasks : town.tasks) {
 			tasks.clear();
 		}
-		town.rules("First First --> wait(1s) Buy --> goToBuilding(findBuilding(\"shop\")) wait(1m)");
+		town.rules("First attr where = \"house\" First --> wait(1s) Buy --> goToBuilding(findBuilding(where)) wait(1m)");
 		town.go(ana, at(8), at(16), shop);
 		town.delayed(max, at(7), at(10), "Buy");
 		town.write_agendas();
 		return town.program;
-	});
+	}, { { "where", "shop" } });
 	CHECK(simulation.position(ana) == before[0]);
 	CHECK(simulation.position(leo) == before[1]);
 	CHECK(simulation.position(eva) == before[2]);

@@ -168,12 +168,7 @@ func get_target_text(entry: Dictionary) -> String:
 
 
 static func get_time_text(entry: Dictionary) -> String:
-	return "%s-%s" % [_clock(entry["start"]), _clock(entry["end"])]
-
-
-static func _clock(seconds: float) -> String:
-	var minutes: int = floori(seconds / 60.0)
-	return "%02d:%02d" % [minutes / 60 if minutes == 1440 else (minutes / 60) % 24, minutes % 60]
+	return "%s-%s" % [CitizenManager.format_clock(entry["start"]), CitizenManager.format_clock(entry["end"])]
 
 
 static func get_days_text(entry: Dictionary) -> String:
