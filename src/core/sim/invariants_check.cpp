@@ -62,7 +62,7 @@ void InvariantChecker::check_building(PersonId id, const PersonView &view) {
 	const SimTime now = _simulation.now();
 	const BuildingId inside = view.state == PersonState::Inside ? view.place.building() : BuildingId::Invalid;
 	if (is_valid(inside) && city.building(inside).is_removed) {
-		complain(Promise::RightBuilding, id, now, "is inside building " + std::to_string(index_of(inside)) + ", which is gone");
+		complain(Promise::RightBuilding, id, now, "is inside building " + number_text(_simulation.settings().numbers.buildings, inside) + ", which is gone");
 	}
 	const PlannedEntry entry = _simulation.plan_at(id, now);
 	const bool is_stay = entry.kind == TaskKind::StayInside || entry.kind == TaskKind::GoToBuilding;
@@ -80,7 +80,7 @@ void InvariantChecker::check_building(PersonId id, const PersonView &view) {
 	if (!has_way(view, wanted)) {
 		known.without_way = now;
 	} else if (known.without_way + retry_pause < now) {
-		complain(Promise::RightBuilding, id, now, "should be inside building " + std::to_string(index_of(wanted)) + " or on the way there");
+		complain(Promise::RightBuilding, id, now, "should be inside building " + number_text(_simulation.settings().numbers.buildings, wanted) + " or on the way there");
 	}
 }
 
@@ -171,7 +171,7 @@ void InvariantChecker::check_counts() {
 	for (uint32_t i = 0; i < counts.size(); ++i) {
 		if (counts[i] != _simulation.inside_count(BuildingId(i))) {
 			complain(Promise::RightBuilding, PersonId::Invalid, _simulation.now(),
-					"building " + std::to_string(i) + " does not count who went in and out");
+					"building " + number_text(_simulation.settings().numbers.buildings, BuildingId(i)) + " does not count who went in and out");
 		}
 	}
 }
