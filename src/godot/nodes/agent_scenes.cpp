@@ -119,7 +119,7 @@ void PCGAgentView::add_scene(uint32_t slot) {
 	agent.root->set_transform(agent.frame);
 	add_child(agent.root);
 	if (agent.steering) {
-		const Callable answer = callable_mp(link, &PCGAgent::set_safe_velocity);
+		const godot::Callable answer = callable_mp(link, &PCGAgent::set_safe_velocity);
 		if (!agent.steering->is_connected("velocity_computed", answer)) {
 			agent.steering->connect("velocity_computed", answer);
 		}
