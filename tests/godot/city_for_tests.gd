@@ -66,6 +66,15 @@ static func make_city(lots: int = 40) -> PCGCity:
 	return city
 
 
+## Of the homes that somebody lives in, one that has most room for others.
+static func roomiest_home(citizens: CitizenManager) -> int:
+	var living: Dictionary[int, int] = {}
+	for person: int in citizens.count_persons():
+		var home: int = citizens.get_person(person)["home"]
+		living[home] = living.get(home, 0) + 1
+	return living.keys().reduce(func(best: int, home: int) -> int: return home if living[home] < living[best] else best)
+
+
 static func make_citizens(city: PCGCity, persons: int = 60) -> CitizenManager:
 	var citizens := CitizenManager.new()
 	citizens.city = city

@@ -154,7 +154,7 @@ func test_who_is_given_back_where_nobody_can_walk_finds_its_way() -> void:
 func test_people_come_and_go() -> void:
 	_begin(9.0)
 	var before: int = _citizens.get_statistics()["persons"]
-	var home: int = _citizens.get_person(0)["home"]
+	var home: int = CityForTests.roomiest_home(_citizens)
 	var people := PCGPopulation.new()
 	people.source = "household,person,home,age,gender,speed,first_name\n7,1,%d,35,w,1.3,\n7,2,%d,8,m,1.1,\n" % [home, home]
 	check_equal(_citizens.add_people(people), PackedInt32Array([before, before + 1]), "two come")

@@ -203,7 +203,9 @@ PackedInt32Array CitizenManager::add_people(const Ref<PCGPopulation> &p_people) 
 	AgendaOptions options = agenda_options(*life);
 	options.first_household = HouseholdId(uint32_t(life->population.households.size()));
 	append_population(life->population, more);
-	warn_of_crowded_homes(life->population, model, {}, diagnostics);
+	if (!more.persons.empty()) {
+		warn_of_crowded_homes(life->population, model, {}, diagnostics);
+	}
 	const uint64_t self = get_instance_id();
 	_is_generating = true;
 	append_agendas(life->agendas, generate_agendas(*life->program, model, *life->city->paths, life->population, options, diagnostics));
