@@ -197,7 +197,7 @@ class NewUser(unittest.TestCase):
         (self.project / "watch.gd").write_text(WATCH)
         names = re.search(r"3\. Add a \*\*PCGCity\*\*.*?(?=\n4\.)", readme, re.DOTALL)[0]
         types = [name for name in re.findall(r"`(\w+)`", names)]
-        self.assertEqual(types, ["house", "workplace", "school", "park"])
+        self.assertEqual(types, ["house", "workplace", "school", "shop", "park"])
         (self.project / "town.tscn").write_text(SCENE.format(
             rules="\n".join(RULES.format(name) for name in types), types="\n".join(TYPE.format(name) for name in types),
             list=", ".join(f'SubResource("type_{name}")' for name in types)))
