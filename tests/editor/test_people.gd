@@ -97,18 +97,21 @@ func test_generating_people_is_one_step_to_undo() -> void:
 	var names := func() -> Array: return range(_dock.context.count_persons()).map(func(person: int) -> String: return _citizens.get_person(person)["name"])
 	var before: Array = names.call()
 	_citizens.person_count = 20
+	_citizens.rules = load(write("res://typed/late.pcg", "attr late = 1\n" + CityForTests.WEEKDAY))
+	_citizens.attributes = {"late": 2.0}
 	_dock.population_tab.generate()
 	check(_dock.context.count_persons() < before.size(), "fewer people")
 	var after: Array = names.call()
 	await undo(_citizens)
 	check_equal(names.call(), before, "the same people as before")
-	check_equal(_citizens.person_count, 40, "with their settings")
+	check_equal([_citizens.person_count, _citizens.attributes], [40, {}], "with their settings")
 	await undo(_citizens)
 	check_equal(_dock.context.count_persons(), 0, "nobody")
 	check_equal(_dock.population_tab.get_listed().size(), 0, "and nobody listed")
 	await redo(_citizens)
 	await redo(_citizens)
 	check_equal(names.call(), after, "done again: the same people")
+	check_equal([_citizens.person_count, _citizens.attributes], [20, {"late": 2.0}], "with theirs")
 
 
 func test_the_page_of_a_person_tells_its_looks() -> void:

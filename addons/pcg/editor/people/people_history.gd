@@ -3,7 +3,7 @@ extends RefCounted
 ## Makes generating people a step that can be undone. They are not kept: the same settings give the same people, so it is enough to remember those.
 
 ## What [method CitizenManager.generate_population] reads.
-const SETTINGS: Array[StringName] = [&"rules", &"start_rule", &"household_table", &"population", &"person_count", &"home_type", &"seed"]
+const SETTINGS: Array[StringName] = [&"rules", &"start_rule", &"attributes", &"household_table", &"population", &"person_count", &"home_type", &"seed"]
 const SceneContext := preload("res://addons/pcg/editor/scene_context.gd")
 
 var _context: SceneContext
