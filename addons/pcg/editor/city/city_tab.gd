@@ -12,7 +12,9 @@ var context: SceneContext
 var history: CityHistory
 @onready var _layout_inspector := EditorInspector.new()
 @onready var _attribute_inspector := EditorInspector.new()
+# Inspectors do not keep what they show, and refer to it once more when they show something else.
 var _attributes: RuleAttributes
+var _layout: PCGLayout
 var _shown_city: PCGCity
 
 @onready var _seed: SpinBox = %Seed
@@ -78,6 +80,7 @@ func refresh() -> void:
 	(%Content as Control).visible = city != null
 	_attribute_inspector.edit(null)
 	_layout_inspector.edit(city.layout if city else null)
+	_layout = city.layout if city else null
 	if city == null:
 		return
 	_cities.clear()
@@ -192,13 +195,14 @@ func _on_type_activated() -> void:
 
 ## Shows the attributes of a lot type's rules; null shows none.
 func show_attributes(type: PCGLotType) -> void:
-	_attributes = RuleAttributes.new(type)
-	_attribute_inspector.visible = not _attributes.is_empty()
+	var attributes := RuleAttributes.new(type)
+	_attribute_inspector.visible = not attributes.is_empty()
 	var told: Label = %AttributesText
-	told.text = "What has an arrow is set here; the rest shows what the rules say." if not _attributes.is_empty() else "These rules have no attributes."
+	told.text = "What has an arrow is set here; the rest shows what the rules say." if not attributes.is_empty() else "These rules have no attributes."
 	if type == null:
 		told.text = "Choose a type of lot to see the attributes of its rules."
-	_attribute_inspector.edit(null if _attributes.is_empty() else _attributes)
+	_attribute_inspector.edit(null if attributes.is_empty() else attributes)
+	_attributes = attributes
 
 
 func get_attributes() -> RuleAttributes:

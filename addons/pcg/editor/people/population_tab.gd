@@ -68,9 +68,13 @@ func refresh() -> void:
 	if is_instance_valid(_shown_citizens) and _shown_citizens != citizens:
 		_shown_citizens.population_generated.disconnect(_show_people)
 		_shown_citizens.agendas_renewed.disconnect(_show_people)
+		_shown_citizens.tree_exiting.disconnect(_inspector.edit)
+		_shown_citizens.tree_entered.disconnect(_inspector.edit)
 	if citizens and citizens != _shown_citizens:
 		citizens.population_generated.connect(_show_people)
 		citizens.agendas_renewed.connect(_show_people)
+		citizens.tree_exiting.connect(_inspector.edit.bind(null)) # an inspector must not show what is gone
+		citizens.tree_entered.connect(_inspector.edit.bind(citizens))
 	_shown_citizens = citizens
 	_inspector.edit(citizens)
 	if citizens:
