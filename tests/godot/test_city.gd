@@ -161,7 +161,8 @@ func test_the_engine_finds_a_way_between_two_entrances() -> void:
 	check(engine_way.size() > 1, "the engine's navigation server has a path")
 	var way: PackedVector3Array = city.find_path(from, to)
 	check(way.size() > 1, "the city has one too")
-	check_near(_length(way), _length(engine_way), 0.03 * _length(engine_way) + 2.0, "of about the same length")
+	check(_length(way) <= 1.01 * _length(engine_way) + 2.0, "no longer: %s and %s m" % [_length(way), _length(engine_way)]) # 2 m: the doorsteps
+	check(_length(way) >= from.distance_to(to), "and no shorter than the straight line: %s m" % _length(way))
 
 
 func _length(points: PackedVector3Array) -> float:

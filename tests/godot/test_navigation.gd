@@ -12,6 +12,17 @@ func _length(points: PackedVector3Array) -> float:
 	return sum
 
 
+# Metres that the way leads away from the map, at most.
+func _off(map: RID, way: PackedVector3Array) -> float:
+	var worst := 0.0
+	for i: int in range(1, way.size()):
+		var steps: int = ceili(way[i - 1].distance_to(way[i]))
+		for step: int in steps:
+			var point: Vector3 = way[i - 1].lerp(way[i], float(step) / steps)
+			worst = maxf(worst, NavigationServer3D.map_get_closest_point(map, point).distance_to(point))
+	return worst
+
+
 func _wait_for_map(map: RID, from: Vector3, to: Vector3) -> void:
 	for frame: int in 600:
 		await get_tree().physics_frame
@@ -31,15 +42,24 @@ func test_a_thousand_ways_are_as_long_as_those_of_the_engine() -> void:
 	random.seed = 7
 	var ours := 0.0
 	var theirs := 0.0
-	var worst := 1.0
+	var worst := 0.0
+	var ways := 0
 	for pair: int in PAIRS:
 		var from: Vector3 = doors[random.randi() % doors.size()]
 		var to: Vector3 = doors[random.randi() % doors.size()]
-		var here: float = _length(city.find_path(from, to))
-		var there: float = _length(NavigationServer3D.map_get_path(map, from, to, true))
+		var their_way: PackedVector3Array = NavigationServer3D.map_get_path(map, from, to, true)
+		if their_way.is_empty() or their_way[-1].distance_to(to) > 0.1:
+			continue # after some thousand polygons the server gives up, and tells the way until there
+		var our_way: PackedVector3Array = city.find_path(from, to)
+		var here: float = _length(our_way)
+		var there: float = _length(their_way)
+		check(here >= from.distance_to(to) - 0.01, "no way is shorter than the straight line: %s m" % here)
+		if pair % 20 == 0:
+			check(_off(map, our_way) < 0.3, "ways lead over the map: %s m off" % _off(map, our_way))
+		ways += 1
 		ours += here
 		theirs += there
-		worst = maxf(worst, (here - 0.5) / maxf(there, 1.0))
-	check(theirs > 10000.0, "there are ways: %s m" % theirs)
-	check_near(ours / theirs, 1.0, 0.015, "all ways together")
-	check(worst <= 1.6, "none is much longer: the worst %s times as long" % worst)
+		worst = maxf(worst, (here - 0.05) / maxf(there, 1.0))
+	check(ways > PAIRS * 9 / 10, "the server finds ways: %d" % ways)
+	check(worst <= 1.01, "none is more than 1 %% longer: the worst %s times as long" % worst)
+	check(ours <= theirs and ours > theirs * 0.95, "all ways together are a little shorter: %s and %s m" % [ours, theirs])

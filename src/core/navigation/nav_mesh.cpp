@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/navigation/landmarks.h"
+#include "core/navigation/corner_graph.h"
 #include "core/navigation/nav_links.h"
 
 namespace pcg {
@@ -58,6 +58,8 @@ uint32_t find_root(std::vector<uint32_t> &parents, uint32_t item) {
 
 } // namespace
 
+NavMesh::NavMesh() : _corner_graph(std::make_shared<CornerGraph>()) {}
+
 NavMesh NavMesh::build(std::span<const NavRegion> regions, const NavMeshOptions &options) {
 	NavMesh mesh;
 	mesh._first_corner.push_back(0);
@@ -86,7 +88,7 @@ NavMesh NavMesh::build(std::span<const NavRegion> regions, const NavMeshOptions 
 	mesh.sort_links();
 	mesh.find_components();
 	mesh.fill_grid();
-	mesh._landmarks = std::make_shared<Landmarks>(mesh);
+	mesh._corner_graph = std::make_shared<CornerGraph>(mesh, options.margin);
 	return mesh;
 }
 

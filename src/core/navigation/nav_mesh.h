@@ -43,11 +43,11 @@ struct NavPoint {
 	bool is_on_mesh() const { return polygon != no_polygon; }
 };
 
-class Landmarks;
+class CornerGraph;
 
 class NavMesh {
 public:
-	NavMesh() = default;
+	NavMesh(); // without any ground
 	// Polygons with fewer than three corners, without area, with indices out of range or coordinates that are not finite are left out.
 	static NavMesh build(std::span<const NavRegion> regions, const NavMeshOptions &options = {});
 
@@ -65,7 +65,7 @@ public:
 	size_t component_count() const { return _component_areas.size(); }
 	double component_area(uint32_t component) const { return _component_areas[component]; } // square metres
 
-	const Landmarks &landmarks() const { return *_landmarks; } // of a built mesh
+	const CornerGraph &corner_graph() const { return *_corner_graph; }
 
 	// The point of the mesh nearest to `point`, at most `reach` metres away.
 	NavPoint nearest(glm::vec3 point, float reach) const;
@@ -88,7 +88,7 @@ private:
 	std::vector<uint32_t> _first_link; // one more than polygons
 	std::vector<uint32_t> _components;
 	std::vector<double> _component_areas;
-	std::shared_ptr<const Landmarks> _landmarks;
+	std::shared_ptr<const CornerGraph> _corner_graph;
 
 	// Polygons by the cells of a grid over the plan.
 	glm::vec3 _min{ 0.0f }, _max{ 0.0f };

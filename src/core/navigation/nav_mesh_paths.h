@@ -18,7 +18,8 @@ public:
 	// A point up to `reach` metres off the mesh walks straight to its nearest point first; from further away there is no way.
 	NavMeshPaths(const CityModel &city, const NavMesh &mesh, float reach = 2.0f);
 
-	// After edits of the city: looks at its entrances anew and forgets distances. Not while other threads ask. Done by the constructor too.
+	// After edits of the city, or of the mesh in its place: looks at the entrances anew and forgets distances. Not while other threads ask. Done by the
+	// constructor too.
 	void prepare();
 
 	// In whole centimetres, and remembered. Every pair of buildings gives the length of the path between the two entrances for which it is shortest.

@@ -6,13 +6,13 @@
 
 namespace pcg {
 
-// The links at which a search may go on, the one with the least estimate first. A heap with four children a node: half as deep as with two, and
+// The corners at which a search may go on, the one with the least estimate first. A heap with four children a node: half as deep as with two, and
 // the four lie beside each other in memory.
 class OpenList {
 public:
 	struct Entry {
 		float estimate;
-		uint32_t link;
+		uint32_t node;
 	};
 
 	bool is_empty() const { return _entries.empty(); }

@@ -9,46 +9,30 @@ namespace pcg {
 
 namespace {
 
-// What lies ahead counts a little more than what lies behind: of ways that cost about the same the one that has come farthest is followed. A walk
-// costs at most so many times the least possible; in cities it hardly shows.
-constexpr float haste = 1.05f;
-// Metres. Estimates by landmarks go from middle to middle of gaps, which is not quite what people walk: near the goal the straight line decides.
-constexpr float slack = 3.0f;
-
-// Of the plan: positive if `c` lies left of the direction from `a` to `b`, seen from above.
-float side(glm::vec3 a, glm::vec3 b, glm::vec3 c) { return (c.x - a.x) * (b.z - a.z) - (c.z - a.z) * (b.x - a.x); }
-
-// Where the straight way from `from` to `to` passes the gap, or the end of the gap that is closest to it: walks that bend only where they must.
-glm::vec3 pass(const NavLink &link, glm::vec3 from, glm::vec3 to) {
-	const float left = side(from, to, link.left), right = side(from, to, link.right);
-	if (left <= 0.0f) { // the whole gap lies right of the way (or turned around: then either end will do)
-		return link.left;
-	}
-	if (right >= 0.0f) {
-		return link.right;
-	}
-	return link.right + (link.left - link.right) * (right / (right - left));
-}
+// What lies ahead counts a little more than what lies behind: of walks that cost about the same the one that has come farthest is followed. A walk
+// costs at most so many times the least possible.
+constexpr float haste = 1.01f;
 
 bool is_same_place(glm::vec3 a, glm::vec3 b) { return std::abs(a.x - b.x) < 1e-4f && std::abs(a.z - b.z) < 1e-4f; }
+
+// All but on the straight line between the others.
+bool is_between(glm::vec3 a, glm::vec3 middle, glm::vec3 b) {
+	return glm::distance(a, middle) + glm::distance(middle, b) <= glm::distance(a, b) + 1e-6f;
+}
 
 } // namespace
 
 bool PathFinder::find(const NavPoint &from, const NavPoint &to) {
 	_points.clear();
-	_corridor.clear();
 	_length = 0.0;
 	if (!from.is_on_mesh() || !to.is_on_mesh() || _mesh->component(from.polygon) != _mesh->component(to.polygon)) {
 		return false;
 	}
-	if (from.polygon != to.polygon) {
-		start();
-		if (!search(from, to)) {
-			return false;
-		}
-		collect_corridor(_goal_link);
+	const uint32_t last = search(from, to);
+	if (std::isinf(_goal_cost)) {
+		return false;
 	}
-	pull_tight(from.position, to.position);
+	collect(from.position, last, to.position);
 	for (size_t i = 1; i < _points.size(); ++i) {
 		_length += double(glm::distance(_points[i - 1], _points[i]));
 	}
@@ -56,134 +40,90 @@ bool PathFinder::find(const NavPoint &from, const NavPoint &to) {
 }
 
 void PathFinder::start() {
-	_nodes.resize(_mesh->links().size());
-	_entries.resize(_mesh->polygon_count());
+	_nodes.resize(_graph->corners().count());
 	_open.clear();
-	_goal_link = no_link;
-	_goal_cost = INFINITY;
 	if (++_search == 0) { // the counter came round: forget what bears old numbers
 		std::fill(_nodes.begin(), _nodes.end(), Node());
-		std::fill(_entries.begin(), _entries.end(), Entry());
 		_search = 1;
 	}
 }
 
-bool PathFinder::search(const NavPoint &from, const NavPoint &to) {
-	_goal_costs = _mesh->landmarks().of_point(*_mesh, to);
-	expand(from.polygon, no_link, from.position, 0.0f, to);
+// The last corner of the best walk; none if it is straight. Its cost is `_goal_cost` then.
+uint32_t PathFinder::search(const NavPoint &from, const NavPoint &to) {
+	uint32_t last = no_corner;
+	_goal_cost = _sight.straight(from, to);
+	if (_goal_cost <= _mesh->least_cost() * glm::distance(from.position, to.position)) {
+		return last;
+	}
+	start();
+	const std::span<const SeenCorner> before_goal = _sight.look(to);
+	_goal = _graph->goal(before_goal);
+	for (const SeenCorner &seen : before_goal) {
+		_nodes[seen.corner].goal_search = _search;
+		_nodes[seen.corner].goal_cost = seen.cost;
+	}
+	for (const SeenCorner &seen : _sight.look(from)) {
+		reach(seen.corner, seen.cost, no_corner, to.position);
+	}
 	while (!_open.is_empty()) {
 		const OpenList::Entry open = _open.pop();
-		if (open.link == no_link) {
-			return true;
+		if (open.estimate >= _goal_cost) {
+			break;
 		}
-		Node &node = _nodes[open.link];
+		Node &node = _nodes[open.node];
 		if (node.is_closed) {
 			continue; // a better way here was found in the meantime
 		}
 		node.is_closed = true;
-		const uint32_t polygon = _mesh->links()[open.link].target;
-		if (polygon == to.polygon) {
-			const float cost = node.cost + _mesh->cost(polygon) * glm::distance(node.point, to.position);
-			if (cost < _goal_cost) {
-				_goal_cost = cost;
-				_goal_link = open.link;
-				_open.push({ cost, no_link });
-			}
-			continue;
+		if (node.goal_search == _search && node.cost + node.goal_cost < _goal_cost) {
+			_goal_cost = node.cost + node.goal_cost;
+			last = open.node;
 		}
-		if (!is_dominated(polygon, node.point, node.cost)) {
-			expand(polygon, open.link, node.point, node.cost, to);
+		for (const SeenCorner &next : _graph->walks(open.node)) {
+			reach(next.corner, node.cost + next.cost, open.node, to.position);
 		}
 	}
-	return false;
+	return last;
 }
 
-// Polygons are convex: who came in elsewhere can walk straight to `point`, and did better if that costs no more.
-bool PathFinder::is_dominated(uint32_t polygon, glm::vec3 point, float cost) const {
-	const Entry &entry = _entries[polygon];
-	return entry.search == _search && entry.cost + _mesh->cost(polygon) * glm::distance(entry.point, point) <= cost;
-}
-
-void PathFinder::expand(uint32_t polygon, uint32_t from_link, glm::vec3 point, float cost, const NavPoint &to) {
-	const std::vector<NavLink> &links = _mesh->links();
-	const uint32_t came_from = from_link == no_link ? no_polygon : links[from_link].source;
-	const float ground = _mesh->cost(polygon), least = _mesh->least_cost();
-	const uint32_t end = _mesh->first_link(polygon + 1);
-	if (_entries[polygon].search != _search) {
-		_entries[polygon] = { _search, cost, point };
+void PathFinder::reach(uint32_t corner, float cost, uint32_t previous, glm::vec3 goal) {
+	Node &node = _nodes[corner];
+	if (node.search != _search) {
+		const float crow = _mesh->least_cost() * glm::distance(_graph->corners().position(corner), goal);
+		node.estimate = haste * std::max(crow, _graph->estimate(corner, _goal));
+		node.search = _search;
+		node.is_closed = false;
+	} else if (node.is_closed || node.cost <= cost) {
+		return;
 	}
-	for (uint32_t i = _mesh->first_link(polygon); i < end; ++i) {
-		if (links[i].target == came_from) {
-			continue;
-		}
-		const glm::vec3 next = pass(links[i], point, to.position);
-		const float next_cost = cost + ground * glm::distance(point, next);
-		Node &node = _nodes[i];
-		if (node.search == _search && (node.is_closed || node.cost <= next_cost)) {
-			continue;
-		}
-		if (is_dominated(links[i].target, next, next_cost)) {
-			continue;
-		}
-		node = { next_cost, from_link, _search, false, next };
-		const float crow = least * glm::distance(next, to.position);
-		const float known = Landmarks::estimate(_mesh->landmarks().of_link(i), _goal_costs);
-		_open.push({ next_cost + std::max(crow, haste * known - slack), i });
-	}
+	node.cost = cost;
+	node.previous = previous;
+	_open.push({ cost + node.estimate, corner });
 }
 
-void PathFinder::collect_corridor(uint32_t last_link) {
-	for (uint32_t link = last_link; link != no_link; link = _nodes[link].previous) {
-		_corridor.push_back(link);
+void PathFinder::collect(glm::vec3 from, uint32_t last_corner, glm::vec3 to) {
+	_bends.clear();
+	for (uint32_t corner = last_corner; corner != no_corner; corner = _nodes[corner].previous) {
+		_bends.push_back(corner);
 	}
-	std::reverse(_corridor.begin(), _corridor.end());
-}
-
-void PathFinder::add_point(glm::vec3 point) {
-	if (_points.empty() || !is_same_place(_points.back(), point)) {
-		_points.push_back(point);
-	}
-}
-
-// The funnel algorithm (Lee and Preparata 1984; Mononen 2010): a wedge from the apex to the sides of the gap is narrowed gap by gap; where one
-// side crosses the other, the walk bends around that other side's corner, which becomes the apex.
-void PathFinder::pull_tight(glm::vec3 from, glm::vec3 to) {
-	const std::vector<NavLink> &links = _mesh->links();
-	const size_t gaps = _corridor.size() + 1; // the last one is the goal, without width
-	const auto left_of = [&](size_t i) { return i < _corridor.size() ? links[_corridor[i]].left : to; };
-	const auto right_of = [&](size_t i) { return i < _corridor.size() ? links[_corridor[i]].right : to; };
-	glm::vec3 apex = from, left = left_of(0), right = right_of(0);
-	size_t left_index = 0, right_index = 0;
 	add_point(from);
-	for (size_t i = 1; i < gaps; ++i) {
-		const glm::vec3 new_left = left_of(i), new_right = right_of(i);
-		if (side(apex, right, new_right) >= 0.0f) {
-			if (is_same_place(apex, right) || side(apex, left, new_right) < 0.0f) {
-				right = new_right;
-				right_index = i;
-			} else {
-				add_point(left);
-				apex = right = left;
-				i = right_index = left_index;
-				continue;
-			}
-		}
-		if (side(apex, left, new_left) <= 0.0f) {
-			if (is_same_place(apex, left) || side(apex, right, new_left) > 0.0f) {
-				left = new_left;
-				left_index = i;
-			} else {
-				add_point(right);
-				apex = left = right;
-				i = left_index = right_index;
-				continue;
-			}
-		}
+	for (size_t i = _bends.size(); i-- > 0;) {
+		add_point(_graph->corners().position(_bends[i]));
 	}
 	add_point(to);
 	if (_points.size() == 1) {
 		_points.push_back(to); // from and to are one place: still a walk of two points
 	}
+}
+
+void PathFinder::add_point(glm::vec3 point) {
+	if (!_points.empty() && is_same_place(_points.back(), point)) {
+		return;
+	}
+	if (_points.size() > 1 && is_between(_points[_points.size() - 2], _points.back(), point)) {
+		_points.pop_back();
+	}
+	_points.push_back(point);
 }
 
 } // namespace pcg

@@ -4,17 +4,18 @@
 #include <span>
 #include <vector>
 
-#include "core/navigation/landmarks.h"
+#include "core/navigation/corner_graph.h"
 #include "core/navigation/nav_mesh.h"
 #include "core/navigation/open_list.h"
+#include "core/navigation/sight.h"
 
-// Short walks on a NavMesh: A* from gap to gap, led by landmarks, then the string through the corridor is pulled tight. They are about 1 % longer
-// than the shortest possible. The memory of a search is kept for the next one, so use one finder for each thread. The mesh must outlive it.
+// Shortest walks on a NavMesh: A* over its corners, led by landmarks. They cost at most 1 % more than the cheapest walk that changes the kind of ground
+// at corners only. The memory of a search is kept for the next one, so use one finder for each thread. The mesh must outlive it.
 namespace pcg {
 
 class PathFinder {
 public:
-	explicit PathFinder(const NavMesh &mesh) : _mesh(&mesh) {}
+	explicit PathFinder(const NavMesh &mesh) : _mesh(&mesh), _graph(&mesh.corner_graph()), _sight(mesh, _graph->corners()) {}
 
 	// Both points must lie on the mesh. False if there is no way, which takes no search.
 	bool find(const NavPoint &from, const NavPoint &to);
@@ -24,37 +25,30 @@ public:
 
 private:
 	struct Node {
-		float cost = 0.0f; // so far, to `point`
-		uint32_t previous = 0; // link; no_link at the start
+		float cost = 0.0f; // so far
+		float estimate = 0.0f; // of the rest
+		uint32_t previous = no_corner;
 		uint32_t search = 0; // the node counts only if this is the number of the running search
-		bool is_closed = false; // ways go on from here: neither cost nor point may change
-		glm::vec3 point{ 0.0f }; // where the gap was passed
+		uint32_t goal_search = 0; // the same for `goal_cost`
+		float goal_cost = 0.0f; // of the straight walk to the goal
+		bool is_closed = false; // walks go on from here
 	};
-	// Where a polygon was first walked into in the running search, and the cost until there.
-	struct Entry {
-		uint32_t search = 0;
-		float cost = 0.0f;
-		glm::vec3 point{ 0.0f };
-	};
-	static constexpr uint32_t no_link = 0xFFFFFFFF; // in the open list: the goal itself
 
 	void start();
-	bool search(const NavPoint &from, const NavPoint &to);
-	void expand(uint32_t polygon, uint32_t from_link, glm::vec3 point, float cost, const NavPoint &to);
-	bool is_dominated(uint32_t polygon, glm::vec3 point, float cost) const;
-	void collect_corridor(uint32_t last_link);
-	void pull_tight(glm::vec3 from, glm::vec3 to);
+	uint32_t search(const NavPoint &from, const NavPoint &to);
+	void reach(uint32_t corner, float cost, uint32_t previous, glm::vec3 goal);
+	void collect(glm::vec3 from, uint32_t last_corner, glm::vec3 to);
 	void add_point(glm::vec3 point);
 
 	const NavMesh *_mesh;
-	std::vector<Node> _nodes; // by link
-	std::vector<Entry> _entries; // by polygon
+	const CornerGraph *_graph;
+	Sight _sight;
+	std::vector<Node> _nodes; // by corner
 	OpenList _open;
 	uint32_t _search = 0;
-	Landmarks::Costs _goal_costs;
-	uint32_t _goal_link = no_link; // best way into the goal so far
-	float _goal_cost = 0.0f;
-	std::vector<uint32_t> _corridor; // links
+	CornerGraph::Goal _goal{};
+	float _goal_cost = 0.0f; // of the best walk so far
+	std::vector<uint32_t> _bends; // corners, from the goal back
 	std::vector<glm::vec3> _points;
 	double _length = 0.0;
 };

@@ -117,7 +117,7 @@ TEST_CASE("a world cut into regions has the same walks as in one piece") {
 		for (int i = 0; i < 20; ++i) {
 			const glm::vec3 from = world.random_place(random), to = world.random_place(random);
 			REQUIRE(in_whole.find(whole.nearest(from, 1), whole.nearest(to, 1)) == in_cut.find(cut.nearest(from, 1), cut.nearest(to, 1)));
-			CHECK(in_cut.length() == doctest::Approx(in_whole.length()).epsilon(0.03));
+			CHECK(in_cut.length() == doctest::Approx(in_whole.length()).epsilon(0.01));
 		}
 	}
 }

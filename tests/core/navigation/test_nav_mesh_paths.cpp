@@ -203,6 +203,22 @@ TEST_CASE("after an edit and prepare() the answers are those of the edited city"
 	CHECK(paths.nearest_building(city.types.find("shop"), home) == new_shop);
 }
 
+TEST_CASE("after the ground was replaced and prepare() the answers are those of the new ground") {
+	NavMesh mesh = mesh_of(walled_world());
+	CityModel city;
+	const BuildingId west = add_building(city, "house", { { 0.5f, 0, 2.5f } });
+	const BuildingId east = add_building(city, "school", { { 4.5f, 0, 2.5f } });
+	NavMeshPaths paths(city, mesh);
+	CHECK(paths.distance(west, east) == doctest::Approx(1.0 + 3.0 * std::sqrt(2.0)).epsilon(0.002));
+	mesh = mesh_of(GridWorld(5, 3, 0.0, 1));
+	paths.prepare();
+	CHECK(paths.distance(west, east) == doctest::Approx(4.0));
+	mesh = NavMesh();
+	paths.prepare();
+	CHECK(std::isinf(paths.distance(west, east)));
+	CHECK(paths.path({ 0.5f, 0, 2.5f }, { 4.5f, 0, 2.5f }).empty());
+}
+
 TEST_CASE("the nearest zone is the nearest to walk to, entered at its nearest reachable point") {
 	const NavMesh mesh = mesh_of(walled_world());
 	CityModel city;

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/vec3.hpp>
+
+// Geometry of the plan: x and z only, seen from above.
+namespace pcg {
+
+// Positive if `c` lies left of the direction from `a` to `b`.
+inline float side(glm::vec3 a, glm::vec3 b, glm::vec3 c) { return (c.x - a.x) * (b.z - a.z) - (c.z - a.z) * (b.x - a.x); }
+
+inline float plan_distance(glm::vec3 a, glm::vec3 b) { return std::hypot(a.x - b.x, a.z - b.z); }
+
+inline float distance_to_segment(glm::vec3 point, glm::vec3 a, glm::vec3 b) {
+	const float dx = b.x - a.x, dz = b.z - a.z, px = point.x - a.x, pz = point.z - a.z;
+	const float t = std::clamp((px * dx + pz * dz) / std::fmax(dx * dx + dz * dz, 1e-12f), 0.0f, 1.0f);
+	const float ex = px - t * dx, ez = pz - t * dz;
+	return std::sqrt(ex * ex + ez * ez);
+}
+
+} // namespace pcg
