@@ -13,6 +13,7 @@ const LIMIT_EDIT := 200.0 ## ms
 const LIMIT_FASTER := 20.0 ## times the engine's queries a second
 const PAIRS := 1000
 const ROUNDS := 5
+const NEAR := 5.0 ## metres from a door to ground that the server knows
 
 
 func _initialize() -> void:
@@ -66,7 +67,7 @@ func _walk(city: PCGCity) -> void:
 	var patience: int = Time.get_ticks_msec() + 60000
 	while Time.get_ticks_msec() < patience: # until the server has taken in all regions
 		await create_timer(0.1).timeout
-		if NavigationServer3D.map_get_path(map, doors.front(), doors.back(), true).size() > 1:
+		if doors.all(func(door: Vector3) -> bool: return NavigationServer3D.map_get_closest_point(map, door).distance_to(door) < NEAR):
 			break
 	doors = doors.map(func(door: Vector3) -> Vector3: return NavigationServer3D.map_get_closest_point(map, door))
 	var pairs: Array[Vector3] = []

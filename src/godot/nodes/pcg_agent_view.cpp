@@ -180,7 +180,12 @@ void PCGAgentView::measure_scale(double simulated, double wall) {
 
 void PCGAgentView::show_at(SimTime time) { show(time, wall_seconds()); }
 
-void PCGAgentView::show_again(SimTime time) { show(time, 0.0); }
+// Not where a script has advanced the clock for this picture: to show that twice would cost twice, and halt everybody in between.
+void PCGAgentView::show_again(SimTime time) {
+	if (Engine::get_singleton()->get_process_frames() != _last_frame) {
+		show(time, 0.0);
+	}
+}
 
 void PCGAgentView::show(SimTime time, double seconds) {
 	if (!_crowd) {
