@@ -108,6 +108,19 @@ func test_a_camera_of_its_own_and_one_that_moves_while_the_clock_stands() -> voi
 	check_equal(_view.get_scene_count(), 12, "the viewport's again")
 
 
+## The clock stands for the engine, and a script advances it: what is shown is a walk, not a walk and a halt by turns.
+func test_nobody_halts_between_advances_by_hand() -> void:
+	var person: int = _someone("agent")
+	var link: PCGAgent = _view.get_agent_node(person).find_children("*", "PCGAgent", true, false)[0]
+	for frame: int in 5:
+		await get_tree().process_frame
+		_citizens.advance(1.0 / 60.0)
+	check(link.velocity.length() > 0.3, "it walks")
+	var shown: Vector3 = link.velocity
+	await get_tree().process_frame # the nodes of that picture have been processed, those of this one not yet
+	check_equal(link.velocity, shown, "and goes on doing so")
+
+
 func test_switches_are_spread_over_pictures() -> void:
 	_view.switch_budget = 3
 	_camera.position.y = 5000.0
