@@ -40,6 +40,7 @@ int find_plugin(dl_phdr_info *library, size_t, void *) {
 
 } // namespace
 
+#pragma GCC visibility push(default) // the build hides everything else
 extern "C" {
 
 void *malloc(size_t size) {
@@ -73,3 +74,4 @@ char *getenv(const char *name) {
 }
 
 } // extern "C"
+#pragma GCC visibility pop
