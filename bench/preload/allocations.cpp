@@ -6,6 +6,7 @@
 
 #include <dlfcn.h>
 #include <link.h>
+#include <sys/mman.h>
 
 extern "C" {
 void *__libc_malloc(size_t size);
@@ -16,25 +17,61 @@ void *__libc_realloc(void *memory, size_t size);
 namespace {
 
 thread_local uint64_t all = 0, by_plugin = 0;
-uintptr_t plugin_begin = 0, plugin_end = 0;
+bool has_plugin = false;
 
-void count(const void *caller) {
-	const uintptr_t address = reinterpret_cast<uintptr_t>(caller);
-	++all;
-	by_plugin += address >= plugin_begin && address < plugin_end;
+void *plugin_malloc(size_t size) {
+	++all, ++by_plugin;
+	return __libc_malloc(size);
+}
+
+void *plugin_calloc(size_t number, size_t size) {
+	++all, ++by_plugin;
+	return __libc_calloc(number, size);
+}
+
+void *plugin_realloc(void *memory, size_t size) {
+	++all, ++by_plugin;
+	return __libc_realloc(memory, size);
+}
+
+// The engine loads plugins so that they find the C library's own functions first: theirs are put into the plugin's table of imported functions.
+void redirect(uintptr_t base, const ElfW(Rela) *begin, size_t bytes, const ElfW(Sym) *symbols, const char *names) {
+	static const struct {
+		const char *name;
+		void *function;
+	} wanted[] = { { "malloc", reinterpret_cast<void *>(plugin_malloc) }, { "calloc", reinterpret_cast<void *>(plugin_calloc) },
+		{ "realloc", reinterpret_cast<void *>(plugin_realloc) } };
+	for (const ElfW(Rela) *entry = begin; entry != begin + bytes / sizeof(*entry); ++entry) {
+		const uint32_t symbol = uint32_t(ELF64_R_SYM(entry->r_info));
+		for (const auto &one : wanted) {
+			if (symbol != 0 && std::strcmp(names + symbols[symbol].st_name, one.name) == 0) {
+				const uintptr_t slot = base + entry->r_offset, page = slot & ~uintptr_t(4095);
+				mprotect(reinterpret_cast<void *>(page), 8192, PROT_READ | PROT_WRITE);
+				*reinterpret_cast<void **>(slot) = one.function;
+			}
+		}
+	}
 }
 
 int find_plugin(dl_phdr_info *library, size_t, void *) {
 	if (std::strstr(library->dlpi_name, "libpcg") == nullptr) {
 		return 0;
 	}
+	has_plugin = true;
+	uintptr_t found[DT_NUM] = {}; // of the dynamic section, by tag
 	for (int i = 0; i < library->dlpi_phnum; ++i) {
-		const auto &part = library->dlpi_phdr[i];
-		if (part.p_type == PT_LOAD && (part.p_flags & PF_X) != 0) {
-			plugin_begin = library->dlpi_addr + part.p_vaddr;
-			plugin_end = plugin_begin + part.p_memsz;
+		if (library->dlpi_phdr[i].p_type == PT_DYNAMIC) {
+			for (const auto *tag = reinterpret_cast<const ElfW(Dyn) *>(library->dlpi_addr + library->dlpi_phdr[i].p_vaddr); tag->d_tag != DT_NULL; ++tag) {
+				if (tag->d_tag < DT_NUM) {
+					found[tag->d_tag] = tag->d_un.d_ptr;
+				}
+			}
 		}
 	}
+	const auto *symbols = reinterpret_cast<const ElfW(Sym) *>(found[DT_SYMTAB]);
+	const char *names = reinterpret_cast<const char *>(found[DT_STRTAB]);
+	redirect(library->dlpi_addr, reinterpret_cast<const ElfW(Rela) *>(found[DT_JMPREL]), found[DT_PLTRELSZ], symbols, names);
+	redirect(library->dlpi_addr, reinterpret_cast<const ElfW(Rela) *>(found[DT_RELA]), found[DT_RELASZ], symbols, names);
 	return 1;
 }
 
@@ -44,17 +81,17 @@ int find_plugin(dl_phdr_info *library, size_t, void *) {
 extern "C" {
 
 void *malloc(size_t size) {
-	count(__builtin_return_address(0));
+	++all;
 	return __libc_malloc(size);
 }
 
 void *calloc(size_t number, size_t size) {
-	count(__builtin_return_address(0));
+	++all;
 	return __libc_calloc(number, size);
 }
 
 void *realloc(void *memory, size_t size) {
-	count(__builtin_return_address(0));
+	++all;
 	return __libc_realloc(memory, size);
 }
 
@@ -66,7 +103,7 @@ char *getenv(const char *name) {
 	if (!is_plugins && std::strcmp(name, "PCG_ALLOCATIONS") != 0) {
 		return next(name);
 	}
-	if (plugin_end == 0) {
+	if (!has_plugin) {
 		dl_iterate_phdr(find_plugin, nullptr);
 	}
 	std::snprintf(text, sizeof(text), "%llu", static_cast<unsigned long long>(is_plugins ? by_plugin : all));
