@@ -1,29 +1,11 @@
-extends "res://tests/godot/suite.gd"
+extends "res://tests/godot/living_suite.gd"
 ## People in a city: they leave, walk, arrive; the clock jumps; what is missing is named.
 
-const CityForTests := preload("res://tests/godot/city_for_tests.gd")
-const HOUR := 3600.0
 const ERRANDS := """attr leaves = 8h
 const fixed = 1
 @StartRule
 Household --> members { true: goToBuilding(leaves, leaves + 1h, findBuilding("workplace")) }
 """
-
-var _city: PCGCity
-var _citizens: CitizenManager
-
-
-func before_each() -> void:
-	_city = CityForTests.make_city()
-	add_child(_city)
-	_city.generate_now()
-	_citizens = CityForTests.make_citizens(_city)
-	add_child(_citizens)
-
-
-func _begin() -> void:
-	check(_citizens.generate_population(), "there are people: %s" % [_citizens.get_diagnostics()])
-	check(_citizens.start(), "life begins")
 
 
 func test_persons_have_homes_names_and_agendas() -> void:
@@ -118,8 +100,7 @@ func test_a_clock_shows_whole_minutes() -> void:
 func test_a_new_day_is_told() -> void:
 	var days: Array[int] = []
 	_citizens.day_started.connect(func(day: int) -> void: days.append(day))
-	_citizens.jump_to(0, 23 * HOUR)
-	_begin()
+	_begin(23.0)
 	_citizens.advance(26 * HOUR)
 	check_equal(days, [1, 2] as Array[int], "Tuesday and Wednesday")
 

@@ -1,7 +1,5 @@
 #include "core/figure/looks.h"
 
-#include <iterator>
-
 #include "core/base/random.h"
 #include "core/population/names.h"
 
@@ -12,9 +10,7 @@ namespace {
 constexpr float adult_age = 15.0f; // from here on a body has an adult's size
 constexpr float elder_age = 65.0f;
 
-// The tone for each of hair_colors(); the last two tones are the gray and white of the old.
-constexpr uint8_t tones_of_hair[] = { 0, 1, 2, 3, 4, 5, 6 };
-
+// Of each of hair_colors(), then white; gray and white are those of the old.
 constexpr glm::vec3 hair_tones[8] = { { 0.06f, 0.045f, 0.04f }, { 0.12f, 0.075f, 0.05f }, { 0.2f, 0.11f, 0.06f }, { 0.32f, 0.19f, 0.09f },
 	{ 0.55f, 0.38f, 0.17f }, { 0.42f, 0.14f, 0.06f }, { 0.5f, 0.5f, 0.5f }, { 0.8f, 0.79f, 0.77f } };
 constexpr glm::vec3 skin_tones[8] = { { 0.87f, 0.68f, 0.56f }, { 0.82f, 0.6f, 0.47f }, { 0.74f, 0.52f, 0.39f }, { 0.63f, 0.42f, 0.3f },
@@ -27,7 +23,7 @@ Looks looks_of(const Population &population, PersonId id) {
 	const FigureAge age = person.age < adult_age ? FigureAge::Child : (person.age < elder_age ? FigureAge::Adult : FigureAge::Elder);
 	Looks looks;
 	looks.kind = uint8_t((person.gender == Gender::Woman ? 3 : 0) + int(age));
-	looks.hair = age == FigureAge::Elder ? uint8_t(6 + index_of(id) % 2) : tones_of_hair[population.household(person.household).hair_color % std::size(tones_of_hair)];
+	looks.hair = age == FigureAge::Elder ? uint8_t(6 + index_of(id) % 2) : uint8_t(population.household(person.household).hair_color % hair_colors().size());
 	looks.skin = uint8_t(mix64(index_of(person.household)) % 8);
 	const NamedColor &top = clothes_colors()[person.clothes_color % clothes_colors().size()];
 	looks.top = glm::vec3(top.red, top.green, top.blue) / 255.0f;

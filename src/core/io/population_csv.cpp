@@ -148,7 +148,7 @@ private:
 		household.first_member = PersonId(uint32_t(population.persons.size()));
 		household.member_count = uint16_t(members.rows.size());
 		household.family_name = uint32_t(looks.index(family_names().size()));
-		household.hair_color = uint8_t(looks.index(hair_colors().size()));
+		household.hair_color = draw_hair_color(looks);
 		std::string family, hair;
 		for (const Row &row : members.rows) {
 			if (is_shared(*row.csv, FamilyNameColumn, family)) {

@@ -50,6 +50,7 @@ std::span<const std::string_view> first_names(Gender gender) {
 
 std::span<const std::string_view> family_names() { return families; }
 std::span<const NamedColor> hair_colors() { return hairs; }
+uint8_t draw_hair_color(Random &random) { return uint8_t(random.index(std::size(hairs) - 1)); } // gray stands last
 std::span<const NamedColor> clothes_colors() { return clothes; }
 
 std::string_view first_name(const Population &population, PersonId id) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/random.h"
 #include "core/population/population.h"
 
 // Names and colors that persons refer to by index. Constant tables, the same for every population.
@@ -20,6 +21,8 @@ struct NamedColor {
 std::span<const std::string_view> first_names(Gender gender);
 std::span<const std::string_view> family_names();
 std::span<const NamedColor> hair_colors();
+// An index of hair_colors() for a household, any but gray: that is the color of the old, or written by hand.
+uint8_t draw_hair_color(Random &random);
 std::span<const NamedColor> clothes_colors();
 
 // An index behind the end of the list counts on in Population::names, where names stand that somebody wrote by hand.

@@ -132,7 +132,7 @@ private:
 		household.member_count = uint16_t(draw.members.size());
 		household.pattern = draw.pattern;
 		household.family_name = uint32_t(random.index(family_names().size()));
-		household.hair_color = uint8_t(random.index(hair_colors().size()));
+		household.hair_color = draw_hair_color(random);
 		for (const DrawnMember &member : draw.members) {
 			Person person;
 			person.household = HouseholdId(uint32_t(_population.households.size()));

@@ -62,6 +62,12 @@ public:
 		return region;
 	}
 
+	// All of it as one region.
+	NavMesh mesh() const {
+		const NavRegion all = region(0, _width);
+		return NavMesh::build({ &all, 1 });
+	}
+
 	// A free place that is not on a line of the grid.
 	glm::vec3 random_place(Random &random) const {
 		for (;;) {

@@ -9,21 +9,12 @@
 using namespace pcg;
 using pcg::test::GridWorld;
 
-namespace {
-
-NavMesh mesh_of(const GridWorld &world) {
-	const NavRegion region = world.region(0, world.width());
-	return NavMesh::build({ &region, 1 });
-}
-
-} // namespace
-
 TEST_CASE("open ground has no corners, a wall in it has those of its outline") {
 	GridWorld world(7, 7, 0.0, 1);
-	CHECK(mesh_of(world).corner_graph().corners().count() == 0);
+	CHECK(world.mesh().corner_graph().corners().count() == 0);
 	world.set_free(3, 3, false);
 	world.set_free(4, 3, false);
-	const NavMesh mesh = mesh_of(world);
+	const NavMesh mesh = world.mesh();
 	const Corners &corners = mesh.corner_graph().corners();
 	REQUIRE(corners.count() == 4);
 	for (uint32_t corner = 0; corner < 4; ++corner) {
@@ -38,7 +29,7 @@ TEST_CASE("walks between corners lead both ways and stay on free ground") {
 	for (uint64_t seed = 0; seed < 20; ++seed) {
 		CAPTURE(seed);
 		const GridWorld world(14, 12, 0.3, seed);
-		const NavMesh mesh = mesh_of(world);
+		const NavMesh mesh = world.mesh();
 		const CornerGraph &graph = mesh.corner_graph();
 		for (uint32_t corner = 0; corner < graph.corners().count(); ++corner) {
 			const glm::vec3 here = graph.corners().position(corner);
@@ -59,7 +50,7 @@ TEST_CASE("estimates are never more than the walk") {
 	for (uint64_t seed = 0; seed < 10; ++seed) {
 		CAPTURE(seed);
 		const GridWorld world(14, 12, 0.35, seed);
-		const NavMesh mesh = mesh_of(world);
+		const NavMesh mesh = world.mesh();
 		const CornerGraph &graph = mesh.corner_graph();
 		Sight sight(mesh, graph.corners());
 		Random random(seed, 1);
@@ -97,7 +88,7 @@ TEST_CASE("along a straight street corners lead to the next ones only") {
 		world.set_free(x, 0, false);
 		world.set_free(x, 2, false);
 	}
-	const NavMesh mesh = mesh_of(world);
+	const NavMesh mesh = world.mesh();
 	const CornerGraph &graph = mesh.corner_graph();
 	REQUIRE(graph.corners().count() > 70);
 	for (uint32_t corner = 0; corner < graph.corners().count(); ++corner) {

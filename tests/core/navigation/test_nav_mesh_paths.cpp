@@ -25,11 +25,6 @@ BuildingId add_building(CityModel &city, std::string_view type, std::initializer
 	return building;
 }
 
-NavMesh mesh_of(const GridWorld &world) {
-	const NavRegion region = world.region(0, world.width());
-	return NavMesh::build({ &region, 1 });
-}
-
 // 5 x 3 squares with a wall at x = 2 that leaves the northern row open.
 GridWorld walled_world() {
 	GridWorld world(5, 3, 0.0, 1);
@@ -49,7 +44,7 @@ double length_of(const std::vector<glm::vec3> &points) {
 } // namespace
 
 TEST_CASE("buildings are as far apart as one walks between their nearest doors") {
-	const NavMesh mesh = mesh_of(walled_world());
+	const NavMesh mesh = walled_world().mesh();
 	CityModel city;
 	const BuildingId west = add_building(city, "house", { { 0.5f, 0, 2.5f } });
 	const BuildingId east = add_building(city, "school", { { 4.5f, 0, 2.5f }, { 4.5f, 0, 0.5f } });
@@ -64,7 +59,7 @@ TEST_CASE("buildings are as far apart as one walks between their nearest doors")
 }
 
 TEST_CASE("the nearest school is the nearest to walk to, not as the crow flies") {
-	const NavMesh mesh = mesh_of(walled_world());
+	const NavMesh mesh = walled_world().mesh();
 	CityModel city;
 	const BuildingId home = add_building(city, "house", { { 1.9f, 0, 2.5f } });
 	const BuildingId behind_the_wall = add_building(city, "school", { { 3.1f, 0, 2.5f } });
@@ -81,7 +76,7 @@ TEST_CASE("the nearest school is the nearest to walk to, not as the crow flies")
 }
 
 TEST_CASE("equally near buildings: the lower id") {
-	const NavMesh mesh = mesh_of(GridWorld(11, 3, 0.0, 1));
+	const NavMesh mesh = GridWorld(11, 3, 0.0, 1).mesh();
 	CityModel city;
 	const BuildingId home = add_building(city, "house", { { 5.5f, 0, 1.5f } });
 	const BuildingId east = add_building(city, "school", { { 9.5f, 0, 1.5f } });
@@ -90,7 +85,7 @@ TEST_CASE("equally near buildings: the lower id") {
 }
 
 TEST_CASE("a path has the asked points as ends, also a little off the mesh, and is the same backwards") {
-	const NavMesh mesh = mesh_of(walled_world());
+	const NavMesh mesh = walled_world().mesh();
 	const CityModel city;
 	const NavMeshPaths paths(city, mesh);
 	const std::vector<glm::vec3> there = paths.path({ -1.0f, 0, 2.5f }, { 4.5f, 0, 2.5f });
@@ -106,7 +101,7 @@ TEST_CASE("a path has the asked points as ends, also a little off the mesh, and 
 }
 
 TEST_CASE("the nearest walkable point is found from any distance") {
-	const NavMesh mesh = mesh_of(walled_world());
+	const NavMesh mesh = walled_world().mesh();
 	CityModel city;
 	const NavMeshPaths paths(city, mesh);
 	glm::vec3 point{ 0.0f };
@@ -125,7 +120,7 @@ TEST_CASE("distances are the lengths of the paths between the doors, on mazes, f
 	for (uint64_t seed = 0; seed < 10; ++seed) {
 		CAPTURE(seed);
 		const GridWorld world(20, 20, 0.35, seed);
-		const NavMesh mesh = mesh_of(world);
+		const NavMesh mesh = world.mesh();
 		CityModel city;
 		Random random(seed);
 		for (int i = 0; i < 25; ++i) {
@@ -160,7 +155,7 @@ TEST_CASE("distances are the lengths of the paths between the doors, on mazes, f
 
 TEST_CASE("the nearest building is the best of all distances") {
 	const GridWorld world(24, 24, 0.3, 8);
-	const NavMesh mesh = mesh_of(world);
+	const NavMesh mesh = world.mesh();
 	CityModel city;
 	Random random(8);
 	for (int i = 0; i < 60; ++i) {
@@ -182,7 +177,7 @@ TEST_CASE("the nearest building is the best of all distances") {
 }
 
 TEST_CASE("after an edit and prepare() the answers are those of the edited city") {
-	const NavMesh mesh = mesh_of(GridWorld(20, 3, 0.0, 1));
+	const NavMesh mesh = GridWorld(20, 3, 0.0, 1).mesh();
 	CityModel city;
 	const BuildingId home = add_building(city, "house", { { 0.5f, 0, 1.5f } });
 	const BuildingId near = add_building(city, "school", { { 5.5f, 0, 1.5f } });
@@ -204,13 +199,13 @@ TEST_CASE("after an edit and prepare() the answers are those of the edited city"
 }
 
 TEST_CASE("after the ground was replaced and prepare() the answers are those of the new ground") {
-	NavMesh mesh = mesh_of(walled_world());
+	NavMesh mesh = walled_world().mesh();
 	CityModel city;
 	const BuildingId west = add_building(city, "house", { { 0.5f, 0, 2.5f } });
 	const BuildingId east = add_building(city, "school", { { 4.5f, 0, 2.5f } });
 	NavMeshPaths paths(city, mesh);
 	CHECK(paths.distance(west, east) == doctest::Approx(1.0 + 3.0 * std::sqrt(2.0)).epsilon(0.002));
-	mesh = mesh_of(GridWorld(5, 3, 0.0, 1));
+	mesh = GridWorld(5, 3, 0.0, 1).mesh();
 	paths.prepare();
 	CHECK(paths.distance(west, east) == doctest::Approx(4.0));
 	mesh = NavMesh();
@@ -220,7 +215,7 @@ TEST_CASE("after the ground was replaced and prepare() the answers are those of 
 }
 
 TEST_CASE("the nearest zone is the nearest to walk to, entered at its nearest reachable point") {
-	const NavMesh mesh = mesh_of(walled_world());
+	const NavMesh mesh = walled_world().mesh();
 	CityModel city;
 	const auto add_park = [&](float x0, float z0, float x1, float z1) {
 		Zone zone;
@@ -249,5 +244,5 @@ TEST_CASE("doors off the mesh, on an island and removed are told from those that
 	CityModel city;
 	add_building(city, "house", { { 0.5f, 0, 0.5f }, { 6.5f, 0, 0.5f }, { 20, 0, 0 }, { 1, 0, 1 } });
 	city.remove_entrance(EntranceId(3));
-	CHECK(reach_of_entrances(city, mesh_of(world)) == std::vector<Reach>{ Reach::Reachable, Reach::Island, Reach::OffMesh, Reach::Removed });
+	CHECK(reach_of_entrances(city, world.mesh()) == std::vector<Reach>{ Reach::Reachable, Reach::Island, Reach::OffMesh, Reach::Removed });
 }

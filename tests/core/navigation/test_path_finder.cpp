@@ -10,11 +10,6 @@ using pcg::test::GridWorld;
 
 namespace {
 
-NavMesh mesh_of(const GridWorld &world) {
-	const NavRegion region = world.region(0, world.width());
-	return NavMesh::build({ &region, 1 });
-}
-
 double length_of(std::span<const glm::vec3> points) {
 	double sum = 0.0;
 	for (size_t i = 1; i < points.size(); ++i) {
@@ -27,7 +22,7 @@ double length_of(std::span<const glm::vec3> points) {
 
 TEST_CASE("a walk on open ground is the straight line") {
 	const GridWorld world(10, 10, 0.0, 1);
-	const NavMesh mesh = mesh_of(world);
+	const NavMesh mesh = world.mesh();
 	PathFinder finder(mesh);
 	CHECK(finder.find(mesh.nearest({ 0.5f, 0, 0.5f }, 1), mesh.nearest({ 8.5f, 0, 6.5f }, 1)));
 	REQUIRE(finder.points().size() == 2);
@@ -41,7 +36,7 @@ TEST_CASE("a walk around a wall bends at its corners") {
 	GridWorld world(5, 3, 0.0, 1);
 	world.set_free(2, 1, false);
 	world.set_free(2, 2, false);
-	const NavMesh mesh = mesh_of(world);
+	const NavMesh mesh = world.mesh();
 	PathFinder finder(mesh);
 	CHECK(finder.find(mesh.nearest({ 0.5f, 0, 2.5f }, 1), mesh.nearest({ 4.5f, 0, 2.5f }, 1)));
 	REQUIRE(finder.points().size() == 4);
@@ -53,7 +48,7 @@ TEST_CASE("a walk around a wall bends at its corners") {
 
 TEST_CASE("a walk from a place to itself has two equal points and no length") {
 	const GridWorld world(2, 2, 0.0, 1);
-	const NavMesh mesh = mesh_of(world);
+	const NavMesh mesh = world.mesh();
 	PathFinder finder(mesh);
 	const NavPoint here = mesh.nearest({ 1, 0, 1 }, 1);
 	CHECK(finder.find(here, here));
@@ -66,7 +61,7 @@ TEST_CASE("there is no way to an island or from outside of the mesh") {
 	for (int z = 0; z < 3; ++z) {
 		world.set_free(2, z, false);
 	}
-	const NavMesh mesh = mesh_of(world);
+	const NavMesh mesh = world.mesh();
 	PathFinder finder(mesh);
 	CHECK_FALSE(finder.find(mesh.nearest({ 0.5f, 0, 1 }, 1), mesh.nearest({ 4.5f, 0, 1 }, 1)));
 	CHECK(finder.points().empty());
@@ -79,7 +74,7 @@ TEST_CASE("walks through random mazes stay on free ground and are at most 1 % lo
 	for (uint64_t seed = 0; seed < 60; ++seed) {
 		CAPTURE(seed);
 		const GridWorld world(14, 12, 0.35, seed);
-		const NavMesh mesh = mesh_of(world);
+		const NavMesh mesh = world.mesh();
 		PathFinder finder(mesh);
 		Random random(seed, 1);
 		for (int i = 0; i < 4; ++i) {
@@ -135,7 +130,7 @@ TEST_CASE("dear ground is avoided where a cheap way is not much longer") {
 
 TEST_CASE("a finder can be used many times over with the same answers") {
 	const GridWorld world(20, 20, 0.3, 5);
-	const NavMesh mesh = mesh_of(world);
+	const NavMesh mesh = world.mesh();
 	PathFinder used(mesh);
 	Random random(9);
 	for (int i = 0; i < 200; ++i) {

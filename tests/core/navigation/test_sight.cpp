@@ -11,11 +11,6 @@ using pcg::test::GridWorld;
 
 namespace {
 
-NavMesh mesh_of(const GridWorld &world) {
-	const NavRegion region = world.region(0, world.width());
-	return NavMesh::build({ &region, 1 });
-}
-
 // The one blocked square around a corner of the grid, as the direction there; none if more or fewer are blocked.
 bool find_wall(const GridWorld &world, int x, int z, glm::vec3 &direction) {
 	int count = 0;
@@ -37,7 +32,7 @@ TEST_CASE("places see each other where the straight way is free") {
 	for (uint64_t seed = 0; seed < 30; ++seed) {
 		CAPTURE(seed);
 		const GridWorld world(14, 12, 0.25, seed);
-		const NavMesh mesh = mesh_of(world);
+		const NavMesh mesh = world.mesh();
 		Sight sight(mesh, mesh.corner_graph().corners());
 		Random random(seed, 1);
 		for (int i = 0; i < 40; ++i) {
@@ -60,7 +55,7 @@ TEST_CASE("the corners seen from a place are those at which a walk from there be
 	for (uint64_t seed = 0; seed < 30; ++seed) {
 		CAPTURE(seed);
 		const GridWorld world(14, 12, 0.25, seed);
-		const NavMesh mesh = mesh_of(world);
+		const NavMesh mesh = world.mesh();
 		const Corners &corners = mesh.corner_graph().corners();
 		Sight sight(mesh, corners);
 		Random random(seed, 1);

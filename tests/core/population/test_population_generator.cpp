@@ -144,6 +144,17 @@ TEST_CASE("the number of persons asked for is met, and the same seed gives the s
 	CHECK(same < 100);
 }
 
+TEST_CASE("households have hair of all colors but gray") {
+	std::vector<int> drawn(hair_colors().size());
+	Random random(1, 2);
+	for (int i = 0; i < 1000; ++i) {
+		++drawn[draw_hair_color(random)];
+	}
+	for (size_t color = 0; color < drawn.size(); ++color) {
+		CHECK((drawn[color] > 0) == (hair_colors()[color].name != "gray"));
+	}
+}
+
 TEST_CASE("members of a household stand together and know it") {
 	Diagnostics diagnostics;
 	PopulationOptions options;

@@ -7,15 +7,22 @@
 using namespace pcg;
 using namespace pcg::test;
 
-TEST_CASE("a heat map holds every second that somebody spent outdoors, where it was spent") {
-	Town town;
+namespace {
+
+// One of 40 and one of 8 years walk the 100 m along x to work and back, at 1 m/s; the child sets out at that time of day.
+void let_two_commute(Town &town, int32_t child_sets_out) {
 	const BuildingId home = town.building("house", 1.0f, 1.0f);
 	const BuildingId work = town.building("workplace", 101.0f, 1.0f);
 	town.household(home);
-	const PersonId ana = town.person(40.0f, 1.0f);
-	const PersonId leo = town.person(8.0f, 1.0f);
-	town.go(ana, at(8), at(16), work);
-	town.go(leo, at(8), at(16), work);
+	town.go(town.person(40.0f, 1.0f), at(8), at(16), work);
+	town.go(town.person(8.0f, 1.0f), child_sets_out, at(16), work);
+}
+
+} // namespace
+
+TEST_CASE("a heat map holds every second that somebody spent outdoors, where it was spent") {
+	Town town;
+	let_two_commute(town, at(8));
 	Simulation &simulation = town.simulate();
 	HeatGrid grid{ { 0.0f, 0.0f }, 2.0f, 60, 2 };
 	HeatMap all(grid);
@@ -29,13 +36,7 @@ TEST_CASE("a heat map holds every second that somebody spent outdoors, where it 
 
 TEST_CASE("heat of ages and hours adds up to all of it, on the same ground") {
 	Town town;
-	const BuildingId home = town.building("house", 1.0f, 1.0f);
-	const BuildingId work = town.building("workplace", 101.0f, 1.0f);
-	town.household(home);
-	const PersonId ana = town.person(40.0f, 1.0f);
-	const PersonId leo = town.person(8.0f, 1.0f);
-	town.go(ana, at(8), at(16), work);
-	town.go(leo, at(7, 59, 40), at(16), work); // 20 of his 100 s are of the hour before
+	let_two_commute(town, at(7, 59, 40)); // 20 of the child's 100 s are of the hour before
 	AgeHeat heat(town.city, town.population);
 	Simulation &simulation = town.simulate();
 	simulation.add_observer(heat);
