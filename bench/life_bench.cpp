@@ -1,9 +1,13 @@
 // The simulation with all that the shipped weekday asks of it: groups that walk to school, delayed rules, benches that are taken; 100,000 persons in
 // 10,000 buildings, and a million in 100,000, on straight lines. Memory is that of the whole program: city, people, agendas and simulation; a million
 // may take 1 GB, 10^9 bytes. Peer: SUMO, as in sim_bench. Arguments: numbers of persons.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "bench/living.h"

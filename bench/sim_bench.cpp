@@ -1,6 +1,7 @@
 // The simulation alone, on straight lines: 100,000 persons in 10,000 buildings who go to work or school, shop and come home; and the same for
 // 1,000, 10,000 and a million, to see what a person costs. life_bench has rules that run, groups and seats.
 // Peer: SUMO, whose non-interacting persons take 6.8 s for 12 h of 20,000 (in persons x hours a second).
+#include <algorithm>
 #include <cmath>
 #include <string>
 

@@ -33,7 +33,7 @@ void check_file(const std::string &path, Diagnostics &diagnostics) {
 	}
 	const auto program = load_program(path, *dialect, diagnostics);
 	// Several starts are normal in CGA: the host names the one it wants.
-	if (program != nullptr && dialect->unknown_names == Dialect::UnknownNames::Error) {
+	if (program != nullptr && dialect->is_strict()) {
 		require_start_rule(*program, diagnostics);
 	}
 }

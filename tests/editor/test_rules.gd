@@ -65,6 +65,11 @@ func test_names_are_offered_and_explained() -> void:
 	check(names.has("Mass"), "a rule of the file: %s" % [names])
 	check(edit.get_tooltip_at(4, 3).contains("extrude(height)"), "help for an operation: %s" % edit.get_tooltip_at(4, 3))
 	check(edit.words.get_help("scope.sx").length() > 10, "help for a dotted name")
+	check(edit.words.get_help("@Order").begins_with("@Order(number)\n"), "help for an annotation: %s" % edit.words.get_help("@Order"))
+	names = edit.words.find_completions("@", edit.text).map(func(entry: Dictionary) -> String: return entry["name"])
+	check(names.has("@Range") and not names.has("extrude"), "annotations, and nothing else: %s" % [names])
+	names = edit.words.find_completions("", edit.text).map(func(entry: Dictionary) -> String: return entry["name"])
+	check(names.has("extrude") and not names.has("@Range"), "annotations only behind an @")
 	check_equal(edit.words.find_definition("Mass", edit.path, edit.text), {"file": edit.path, "line": 7}, "where a rule is")
 
 

@@ -56,7 +56,7 @@ func get_cities() -> Array[PCGCity]:
 
 ## A building by its number: `type` and `position` of its first entrance; empty if it has none.
 func get_building(id: int) -> Dictionary:
-	return city.get_building(id) if city and id in range(city.get_building_count()) else {}
+	return city.get_building(id) if city and id >= 0 and id < city.get_building_count() else {}
 
 
 ## What people call a building.
@@ -84,7 +84,7 @@ func get_household_type(told: Dictionary) -> String:
 			_table.changed.connect(_read_household_types)
 		_read_household_types()
 	var row: int = told["household_row"]
-	return _household_types[row] if row in range(_household_types.size()) else ""
+	return _household_types[row] if row >= 0 and row < _household_types.size() else ""
 
 
 func _read_household_types() -> void:

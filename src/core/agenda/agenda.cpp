@@ -241,9 +241,7 @@ std::vector<PersonId> joiners_on(const AgendaSet &agendas, uint32_t group, DayMa
 	std::vector<PersonId> result;
 	for (PersonId joiner : plan.joiners) {
 		const std::span<const Task> tasks = agendas.tasks_of(PersonId(index_of(joiner) - index_of(first)));
-		if (std::any_of(tasks.begin(), tasks.end(), [&](const Task &task) {
-				return task.kind == TaskKind::Accompany && task.target == group && (set_out_days(plan, task) & days) != 0;
-			})) {
+		if (std::ranges::any_of(tasks, [&](const Task &task) { return is_walk(task, group) && (set_out_days(plan, task) & days) != 0; })) {
 			result.push_back(joiner);
 		}
 	}

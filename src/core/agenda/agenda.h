@@ -69,6 +69,9 @@ inline DayMask set_out_days(const Group &group, const Task &walk) {
 	return walk.start_ms < group.start_ms ? rotate_days(walk.days, -1) : walk.days;
 }
 
+// Whether the entry is the walk of this group, or what newer entries left of it.
+inline bool is_walk(const Task &task, uint32_t group) { return task.kind == TaskKind::Accompany && task.target == group; }
+
 // Where an entry came from: the call in the rule file. For the inspector's "why".
 struct TaskOrigin {
 	std::string rule;
@@ -107,11 +110,6 @@ struct AgendaView {
 	std::span<const Task> changed_on(int64_t day) const; // the same; the slow way
 };
 
-struct AgendaSet;
-
-// Those who walk with the leader of a group on any of these days of its setting out; newer entries may have called joiners away. `first`: whom the set counts from.
-std::vector<PersonId> joiners_on(const AgendaSet &agendas, uint32_t group, DayMask days, PersonId first = PersonId{ 0 });
-
 // Agendas of a whole population, one behind the other.
 struct AgendaSet {
 	std::vector<Task, UntouchedAllocator<Task>> tasks; // as generated
@@ -142,5 +140,9 @@ struct AgendaSet {
 	}
 	size_t person_count() const { return first_task.empty() ? 0 : first_task.size() - 1; }
 };
+
+// Those who walk with the leader of a group on any of these days of its setting out; newer entries may have called joiners away. `first`: whom the set
+// counts from.
+std::vector<PersonId> joiners_on(const AgendaSet &agendas, uint32_t group, DayMask days, PersonId first = PersonId{ 0 });
 
 } // namespace pcg

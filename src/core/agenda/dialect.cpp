@@ -13,8 +13,7 @@ Dialect make_dialect() {
 	dialect.rule_calls = Dialect::RuleCalls::Run;
 	dialect.unknown_names = Dialect::UnknownNames::Error;
 	dialect.has_time_units = true;
-	dialect.annotations = { "StartRule", "Group", "Range", "Enum", "Color", "File", "Description", "Order", "Hidden", "Percent", "Angle", "Distance" };
-
+	add_annotations(dialect);
 	add_variables(dialect);
 	add_math_functions(dialect);
 	add_building_functions(dialect);

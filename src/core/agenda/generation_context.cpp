@@ -12,8 +12,6 @@ namespace pcg::agenda {
 
 namespace {
 
-constexpr double day_seconds = 86'400.0;
-constexpr double week_seconds = 7.0 * day_seconds;
 constexpr size_t max_entries = 4096; // of one person; real days have a few dozen
 constexpr size_t max_floating_tasks = 4096;
 constexpr size_t max_names = 1000; // of entries, for all households that one thread takes at a time; rules have a handful
@@ -38,10 +36,10 @@ int32_t to_ms(double seconds) {
 // Warns of times that cannot hold; an entry of more than a day is cut. False: nothing is to be inserted.
 bool are_times_good(Vm &vm, std::string_view operation, double start, double &end) {
 	std::optional<CallProblem> problem = times_problem(operation, start, end);
-	const bool is_cut = problem && problem->id == "longer-than-a-day";
+	const bool is_cut = problem && problem->id == too_long_id;
 	end = is_cut ? start + day_seconds : end;
 	if (problem) {
-		vm.warn(problem->id, std::move(problem->message), std::move(problem->hint));
+		warn(vm, std::move(*problem));
 	}
 	return !problem || is_cut;
 }
@@ -156,7 +154,10 @@ void GenerationContext::drop_unmet_tasks() {
 	for (const DroppedTask &dropped : drop_unmet({ household().first_member, _agendas, _groups }, _named_tasks, _requirements)) {
 		report_dropped(dropped);
 	}
-	for (uint32_t number = 0; number < _groups.size() && is_called_away; ++number) {
+	if (!is_called_away) {
+		return;
+	}
+	for (uint32_t number = 0; number < _groups.size(); ++number) {
 		std::erase_if(_groups[number].joiners, [&](PersonId joiner) { return !has_walk(joiner, number, 0); });
 	}
 }
@@ -164,7 +165,7 @@ void GenerationContext::drop_unmet_tasks() {
 // In one piece on at least these days.
 bool GenerationContext::has_walk(PersonId member, uint32_t group, DayMask days) {
 	return std::ranges::any_of(agenda_of(member).tasks(), [&](const Task &task) {
-		return task.kind == TaskKind::Accompany && task.target == group && (task.days & days) == days;
+		return is_walk(task, group) && (task.days & days) == days;
 	});
 }
 

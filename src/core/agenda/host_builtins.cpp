@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "core/agenda/generation_context.h"
+#include "core/lang/parser.h"
 
 namespace pcg {
 
@@ -61,12 +62,12 @@ Flow call_operation(Vm &vm, const Args &args) {
 
 // What the lexer takes for one name, and the grammar for nothing else.
 bool is_name(std::string_view name) {
-	constexpr std::string_view keywords[] = { "attr", "case", "const", "else", "false", "import", "set", "true" };
 	const bool is_plain = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
 		return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.';
 	});
 	const bool is_number = !name.empty() && name.front() >= '0' && name.front() <= '9';
-	return is_plain && !is_number && name.front() != '.' && name.back() != '.' && std::find(std::begin(keywords), std::end(keywords), name) == std::end(keywords);
+	const bool is_of_grammar = name == "set" || std::ranges::find(keywords, name) != std::end(keywords);
+	return is_plain && !is_number && name.front() != '.' && name.back() != '.' && !is_of_grammar;
 }
 
 } // namespace
@@ -80,7 +81,8 @@ void HostCall::insert(TaskKind kind, double start, double end, uint32_t target) 
 template <typename Spec> bool HostDialect::is_sound(const Spec &spec, Diagnostics &diagnostics) const {
 	const std::string name = "'" + spec.name + "'";
 	if (!is_name(spec.name)) {
-		diagnostics.error("host-name", name + " cannot be the name of a function or operation", "names are made of letters, digits and _");
+		diagnostics.error("host-name", name + " cannot be the name of a function or operation",
+				"names are made of letters, digits and _, and are no words of the grammar, such as `case`");
 		return false;
 	}
 	if (_dialect.has_function(spec.name) || _dialect.has_operation(spec.name) || _dialect.find_variable(spec.name) >= 0) {

@@ -57,7 +57,7 @@ private:
 		for (PersonId joiner : group.joiners) {
 			for (const Task &task : _household.of(joiner).tasks()) {
 				left |= is_walk(task, number) ? set_out_days(group, task) : DayMask(0);
-				called_away |= task.kind == TaskKind::Accompany && task.target != number ? met_days(group, task) : DayMask(0);
+				called_away |= task.kind == TaskKind::Accompany && !is_walk(task, number) ? met_days(group, task) : DayMask(0);
 			}
 		}
 		return called_away & DayMask(~left);
@@ -144,8 +144,6 @@ private:
 		}
 		return days;
 	}
-
-	static bool is_walk(const Task &task, uint32_t group) { return task.kind == TaskKind::Accompany && task.target == group; }
 
 	void remove_walk(PersonId person, uint32_t group, DayMask days) {
 		Agenda &agenda = _household.of(person);

@@ -65,10 +65,11 @@ struct HouseholdAgendas {
 	Agenda &of(PersonId person) const { return *members[index_of(person) - index_of(first_member)]; }
 };
 
-// Takes out, day by day, the walks of leaders from whom others called everybody away, and what requires an entry that is not lived, and then what required that. The required entry is one written for the same
-// day (an entry at 30 h belongs to the day before the morning it begins on); of `after` it is over when the requiring one begins. Whoever
-// has entries of the name needs one of its own, everybody else anybody's in the household. A walk together is lived while the leader and one
-// joiner are left; where a leader's walk falls out the joiners' walks do too, and the leader's with the last joiner's.
+// Takes out, day by day, the walks of leaders from whom others called everybody away, and what requires an entry that is not lived, and then what
+// required that. The required entry is one written for the same day (an entry at 30 h belongs to the day before the morning it begins on); of `after`
+// it is over when the requiring one begins. Whoever has entries of the name needs one of its own, everybody else anybody's in the household. A walk
+// together is lived while the leader and one joiner are left; where a leader's walk falls out the joiners' walks do too, and the leader's with the
+// last joiner's.
 // `named`: entries in order of writing; `requirements` as in AgendaSet.
 std::vector<DroppedTask> drop_unmet(const HouseholdAgendas &household, std::span<const NamedTask> named, std::span<const Requirement> requirements);
 

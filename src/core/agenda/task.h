@@ -20,6 +20,9 @@ enum class TaskKind : uint8_t {
 };
 constexpr size_t task_kind_count = size_t(TaskKind::FloatingSlot) + 1;
 
+// Whether such an entry has the person inside of a building.
+constexpr bool is_stay(TaskKind kind) { return kind == TaskKind::StayInside || kind == TaskKind::GoToBuilding; }
+
 struct Task {
 	int32_t start_ms = 0; // since 0h of each day of `days`; in [0, 24 h)
 	int32_t end_ms = 0; // > start; beyond 24 h it runs on into the next day, at most to start + 24 h

@@ -13,6 +13,7 @@ Dialect make_dialect() {
 	dialect.locals = Dialect::Locals::Lexical;
 	dialect.rule_calls = Dialect::RuleCalls::ByHost;
 	dialect.unknown_names = Dialect::UnknownNames::LeafSymbol;
+	add_annotations(dialect);
 	add_math_functions(dialect);
 	add_functions(dialect);
 	add_context_functions(dialect);

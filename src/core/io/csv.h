@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "core/base/diagnostic.h"
@@ -37,6 +39,19 @@ struct CsvTable {
 std::optional<CsvTable> parse_csv(std::string_view text, std::string_view file, Diagnostics &diagnostics);
 // The same for a file; it may be missing, a folder or larger than 256 MB too.
 std::optional<CsvTable> read_csv(const std::string &path, Diagnostics &diagnostics);
+// What `read` makes of the table, or nothing after errors. `found`: what was told of this table, and is told by `read`; it goes to `diagnostics` in order.
+template <typename Read>
+std::optional<std::invoke_result_t<Read, CsvTable &>> read_records(
+		std::optional<CsvTable> csv, Diagnostics &found, Diagnostics &diagnostics, Read read) {
+	std::optional<std::invoke_result_t<Read, CsvTable &>> records;
+	if (csv) {
+		records = read(*csv);
+	}
+	found.sort();
+	diagnostics.append(found);
+	return found.has_errors() ? std::nullopt : std::move(records);
+}
+
 // False if there are none: an error, unless errors tell it already.
 bool has_rows(const CsvTable &table, Diagnostics &diagnostics);
 

@@ -255,13 +255,7 @@ private:
 };
 
 std::optional<HouseholdTable> read_table(std::optional<CsvTable> csv, Diagnostics &found, Diagnostics &diagnostics) {
-	std::optional<HouseholdTable> table;
-	if (csv) {
-		table = TableReader(*csv).read(found);
-	}
-	found.sort();
-	diagnostics.append(found);
-	return found.has_errors() ? std::nullopt : std::move(table);
+	return read_records(std::move(csv), found, diagnostics, [&](CsvTable &table) { return TableReader(table).read(found); });
 }
 
 } // namespace

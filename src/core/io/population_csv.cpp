@@ -232,16 +232,16 @@ private:
 	// As it was where the table says nothing, or no color, which is told.
 	void read_color(const CsvRow &row, LookColumn column, std::span<const NamedColor> list, uint8_t &index) {
 		const std::string &text = look(row, column);
+		if (text.empty()) {
+			return;
+		}
 		std::vector<std::string_view> known;
-		for (size_t i = 0; i < list.size() && !text.empty(); ++i) {
+		for (size_t i = 0; i < list.size(); ++i) {
 			known.push_back(list[i].name);
 			if (list[i].name == text) {
 				index = uint8_t(i);
 				return;
 			}
-		}
-		if (text.empty()) {
-			return;
 		}
 		const std::string_view closest = closest_name(text, known);
 		Diagnostic diagnostic = _csv.at(row, size_t(_look_column[column]), "unknown-look",
@@ -261,14 +261,8 @@ private:
 	std::unordered_map<std::string, uint32_t> _own_names; // where they are in Population::names
 };
 
-std::optional<PopulationFile> read_people(const std::optional<CsvTable> &csv, const FileIds *buildings, Diagnostics &found, Diagnostics &diagnostics) {
-	std::optional<PopulationFile> people;
-	if (csv) {
-		people = PeopleReader(*csv, buildings, found).read();
-	}
-	found.sort();
-	diagnostics.append(found);
-	return found.has_errors() ? std::nullopt : std::move(people);
+std::optional<PopulationFile> read_people(std::optional<CsvTable> csv, const FileIds *buildings, Diagnostics &found, Diagnostics &diagnostics) {
+	return read_records(std::move(csv), found, diagnostics, [&](const CsvTable &table) { return PeopleReader(table, buildings, found).read(); });
 }
 
 } // namespace

@@ -19,9 +19,9 @@ struct PopulationFile {
 	FileIds household_ids, person_ids; // numbers of the table by dense id
 };
 
-// `building_ids`: the numbers of the city's file; null: of no city yet, and nobody has a home. Nothing after an error: a missing column, a bad or repeated number, a home that the city does not
-// have; every bad cell is one, up to max_table_problems of them. Warnings: a color that is none, which is drawn instead; a household of more than
-// max_household_size members, which loses the others.
+// `building_ids`: the numbers of the city's file; null: of no city yet, and nobody has a home. Nothing after an error: a missing column, a bad or repeated
+// number, a home that the city does not have; every bad cell is one, up to max_table_problems of them. Warnings: a color that is none, which is drawn
+// instead; a household of more than max_household_size members, which loses the others.
 std::optional<PopulationFile> parse_population(std::string_view text, std::string_view file, const FileIds *building_ids, Diagnostics &diagnostics);
 std::optional<PopulationFile> read_population(const std::string &path, const FileIds *building_ids, Diagnostics &diagnostics);
 // The same table with all columns, so that what was drawn or edited by hand comes back the same.

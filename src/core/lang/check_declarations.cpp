@@ -47,15 +47,22 @@ void Compiler::check_start_rule(const Definition &definition) {
 	}
 }
 
-// Hosts of other languages have annotations of their own; where the dialect lists what it knows, another one is misspelt.
+// Hosts of other languages have annotations of their own; where a strict dialect lists what it knows, another one is misspelt.
 void Compiler::check_annotations() {
-	for (size_t i = 0; i < _definitions.size() && !_dialect.annotations.empty(); ++i) {
+	if (!is_strict() || _dialect.annotations.empty()) {
+		return;
+	}
+	std::vector<std::string_view> known;
+	for (const AnnotationSpec &spec : _dialect.annotations) {
+		known.push_back(spec.name);
+	}
+	for (size_t i = 0; i < _definitions.size(); ++i) {
 		open_scope(_definitions[i]);
 		for (const AstAnnotation &annotation : _definitions[i].item->annotations) {
-			if (std::ranges::find(_dialect.annotations, annotation.name) != _dialect.annotations.end()) {
+			if (std::ranges::find(known, annotation.name) != known.end()) {
 				continue;
 			}
-			const std::string_view closest = closest_name(annotation.name, _dialect.annotations);
+			const std::string_view closest = closest_name(annotation.name, known);
 			warn("unknown-annotation", annotation.offset, "there is no annotation `@" + std::string(annotation.name) + "`; it means nothing",
 					closest.empty() ? std::string() : "did you mean `@" + std::string(closest) + "`?");
 		}

@@ -242,7 +242,7 @@ Compiler::Known Compiler::call_builtin(uint32_t function, std::string_view name,
 		emit(OpCode::CallFunction, offset, 1 - int(list.count), mask, function, list.count);
 	}
 	// In CGA a function may give a harmless value of another kind instead of an error.
-	return spec.is_pure || _dialect.unknown_names == Dialect::UnknownNames::Error ? spec.result : ValueType::Void;
+	return spec.is_pure || is_strict() ? spec.result : ValueType::Void;
 }
 
 namespace {

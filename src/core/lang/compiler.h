@@ -88,7 +88,7 @@ private:
 	void complain(std::string_view id, uint32_t offset, std::string message, std::string hint = {}) {
 		report(is_strict() ? Severity::Error : Severity::Warning, id, offset, std::move(message), std::move(hint));
 	}
-	bool is_strict() const { return _dialect.unknown_names == Dialect::UnknownNames::Error; }
+	bool is_strict() const { return _dialect.is_strict(); }
 	// Says that `name` is unknown, unless that follows from something told before.
 	void unknown(std::string_view what, std::string_view name, uint32_t offset, bool wants_command);
 	bool is_dynamic() const { return _dialect.locals == Dialect::Locals::Dynamic; }

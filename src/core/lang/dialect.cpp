@@ -60,4 +60,20 @@ bool Dialect::takes_rule(std::string_view operation_name) const {
 	return std::ranges::any_of(operations, [&](const OperationSpec &spec) { return spec.takes_rule && spec.name == operation_name; });
 }
 
+void add_annotations(Dialect &dialect) {
+	std::vector<AnnotationSpec> &annotations = dialect.annotations;
+	annotations.push_back({ "StartRule", "", "Marks the rule that begins." });
+	annotations.push_back({ "Group", "(\"name\" [, order])", "The attributes from here on stand in that group." });
+	annotations.push_back({ "Range", "(min=0, max=1 [, stepsize=0.1])", "What the attribute may be; @Range(\"a\", \"b\") lists texts." });
+	annotations.push_back({ "Enum", "(\"a\", \"b\")", "The values to choose from." });
+	annotations.push_back({ "Color", "", "The attribute is a colour, \"#rrggbb\"." });
+	annotations.push_back({ "File", "(\"png\")", "The attribute is the path of a file." });
+	annotations.push_back({ "Description", "(\"text\")", "What the attribute means." });
+	annotations.push_back({ "Order", "(number)", "Where the attribute or rule stands among the others." });
+	annotations.push_back({ "Hidden", "", "The attribute is not shown." });
+	annotations.push_back({ "Percent", "", "The attribute is a part of one." });
+	annotations.push_back({ "Angle", "", "The attribute is an angle in degrees." });
+	annotations.push_back({ "Distance", "", "The attribute is a length in metres." });
+}
+
 } // namespace pcg

@@ -120,6 +120,13 @@ struct VariableSpec {
 	bool is_writable = false; // set(name, ..) is handed to the dialect's operation `set`, or with dynamic locals makes a local of that name
 };
 
+// What stands in front of a rule or attribute: `@Range(0, 1)`.
+struct AnnotationSpec {
+	std::string_view name; // without the @
+	std::string_view arguments; // as in "(\"text\")"; empty: none
+	std::string_view help;
+};
+
 struct Dialect {
 	std::string_view name; // "cga", "pcg"
 	std::string_view title; // "CGA shape grammar"
@@ -133,13 +140,14 @@ struct Dialect {
 	// A called name that is nothing: an error (PCG), or a leaf shape with a warning unless it ends in a dot (CGA). The same goes for other
 	// names and for division by zero: an error that ends the run (PCG), or a warning and a harmless value (CGA; x / 0 is infinite).
 	enum class UnknownNames : uint8_t { Error, LeafSymbol } unknown_names = UnknownNames::Error;
+	bool is_strict() const { return unknown_names == UnknownNames::Error; }
 	bool has_time_units = false; // 8h30m, 5m, 30s
 
 	// Words that within the expressions of a selector block stand for a function of this name, called with the word as its text.
 	std::vector<std::string_view> selector_words;
 	std::string_view selector_function;
 
-	std::vector<std::string_view> annotations; // known ones, without the @; empty: anything may be one
+	std::vector<AnnotationSpec> annotations; // known ones; others may stand beside them where the dialect is not strict, or lists none
 
 	std::vector<FunctionSpec> functions;
 	std::vector<OperationSpec> operations;
@@ -155,6 +163,8 @@ struct Dialect {
 	bool takes_rule(std::string_view operation_name) const;
 };
 
+// Those of start rules and of attributes: shared by all dialects.
+void add_annotations(Dialect &dialect);
 // abs min max floor .. rand p: shared by all dialects. `rand` draws from Vm::random().
 void add_math_functions(Dialect &dialect);
 

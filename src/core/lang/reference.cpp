@@ -78,6 +78,8 @@ std::string signature_text(const OperationSpec &spec) {
 
 std::string signature_text(const FunctionSpec &spec) { return std::string(spec.name) + "(" + params_text(spec.params) + ")"; }
 
+std::string signature_text(const AnnotationSpec &spec) { return "@" + std::string(spec.name) + std::string(spec.arguments); }
+
 std::string to_markdown(const Dialect &dialect) {
 	const bool has_phases = std::any_of(dialect.operations.begin(), dialect.operations.end(),
 			[&](const OperationSpec &spec) { return spec.phase != dialect.operations[0].phase; });

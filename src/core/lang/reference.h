@@ -13,5 +13,6 @@ std::string to_markdown(const Dialect &dialect);
 // "split(axis: x|y|z [, adjust]) { size: .. }"
 std::string signature_text(const OperationSpec &spec);
 std::string signature_text(const FunctionSpec &spec);
+std::string signature_text(const AnnotationSpec &spec); // "@Order(number)"
 
 } // namespace pcg

@@ -38,7 +38,7 @@ private:
 	Definition::Kind kind_of(const AstItem &item) const;
 	bool may_replace(const ParsedFile &file, uint32_t space, std::string_view name, const AstItem &item);
 	void report_constant(const ParsedFile &file, uint32_t offset, std::string_view name);
-	bool is_strict() const { return _dialect.unknown_names == Dialect::UnknownNames::Error; }
+	bool is_strict() const { return _dialect.is_strict(); }
 
 	const Dialect &_dialect;
 	SourceProvider &_provider;

@@ -109,7 +109,7 @@ void Vm::reset_initial_attributes() {
 	}
 }
 
-bool Vm::is_strict() const { return _program->dialect != nullptr && _program->dialect->unknown_names == Dialect::UnknownNames::Error; }
+bool Vm::is_strict() const { return _program->dialect != nullptr && _program->dialect->is_strict(); }
 
 bool Vm::enter(uint32_t index, uint32_t count, uint32_t return_address, VmFrame::Kind kind) {
 	if (!count_step()) {

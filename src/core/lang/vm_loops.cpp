@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstddef>
 
 #include "core/lang/opcode.h"
 #include "core/lang/vm.h"
@@ -44,7 +45,7 @@ void Vm::drop_repeated_trail() {
 		const size_t end = i + 1 < _frames.size() ? _frames[i + 1].trail_mark : _trail.size();
 		const size_t first = to;
 		for (; from < end; ++from) {
-			const bool is_repeated = std::any_of(_trail.begin() + long(first), _trail.begin() + long(to),
+			const bool is_repeated = std::any_of(_trail.begin() + ptrdiff_t(first), _trail.begin() + ptrdiff_t(to),
 					[&](const VmTrailEntry &entry) { return entry.slot == _trail[from].slot; });
 			if (!is_repeated) {
 				_trail[to++] = _trail[from];
@@ -52,7 +53,7 @@ void Vm::drop_repeated_trail() {
 		}
 		_frames[i].trail_mark = uint32_t(first);
 	}
-	_trail.erase(_trail.begin() + long(to), _trail.end());
+	_trail.erase(_trail.begin() + ptrdiff_t(to), _trail.end());
 }
 
 } // namespace pcg

@@ -165,12 +165,12 @@ void Sight::see(uint32_t corner) {
 	const glm::vec3 position = _corners->position(corner);
 	Place &place = _places[corner];
 	if (place.look != _look) {
-		place = { _look, no_corner };
+		place = { _look, not_seen };
 		if (_corners->is_bend(corner, _root) && (_root_corner == no_corner || _corners->is_bend(_root_corner, position))) {
 			place.seen = uint32_t(_seen.size());
 			_seen.push_back({ corner, _ground * glm::distance(_root, position) });
 		}
-	} else if (place.seen != no_corner) {
+	} else if (place.seen != not_seen) {
 		_seen[place.seen].cost = std::fmin(_seen[place.seen].cost, _ground * glm::distance(_root, position));
 	}
 }

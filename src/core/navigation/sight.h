@@ -29,6 +29,9 @@ public:
 	float straight(const NavPoint &from, const NavPoint &to);
 
 private:
+	static constexpr uint32_t no_cone = 0xFFFFFFFF;
+	static constexpr uint32_t not_seen = 0xFFFFFFFF;
+
 	// Of the plan, from the root.
 	struct Ray {
 		float x = 0.0f, z = 0.0f;
@@ -41,13 +44,12 @@ private:
 	};
 	struct Place {
 		uint32_t look = 0; // counts only if this is the number of the running one
-		uint32_t seen = no_corner; // index of what was seen
+		uint32_t seen = not_seen; // index of what was seen
 	};
 	struct Entry {
 		uint32_t look = 0; // as in Place
 		uint32_t last = 0; // cone that came into the polygon; no_cone if the root touches it
 	};
-	static constexpr uint32_t no_cone = 0xFFFFFFFF;
 
 	void begin(glm::vec3 root, uint32_t corner);
 	void spread();

@@ -4,13 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "core/population/age_group.h"
 #include "core/population/population.h"
 
 // What the rows of a household table mean (paper, "Population": "one adult woman with two minor children" and how often it occurs).
 namespace pcg {
-
-constexpr int adult_age = 18; // the rules of the paper split at 18; tables may count adults from another age on
-constexpr int elder_age = 65;
 
 // Some members alike. `is_open`: that many or more.
 struct MemberGroup {

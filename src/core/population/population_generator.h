@@ -22,7 +22,8 @@ struct PopulationOptions {
 };
 
 // Draws households in proportion to their occurrence and houses them by the capacity of the buildings (paper, "Population"). The n-th
-// household depends on (seed, n) only. Whatever finds no home is left out, with a warning that tells both figures; that may be everybody. At least one member of every household is 18 or over.
+// household depends on (seed, n) only. Whatever finds no home is left out, with a warning that tells both figures; that may be everybody. At least one
+// member of every household is 18 or over.
 Population generate_population(const HouseholdTable &table, const CityModel &city, const PopulationOptions &options, Diagnostics &diagnostics);
 
 } // namespace pcg

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/population/age_group.h"
 #include "core/population/building_use.h"
 #include "core/population/names.h"
 
@@ -208,7 +209,7 @@ HouseholdId choose_household(const Population &population, const LivedLog &log) 
 		const Person &person = population.person(entry.person);
 		Score &score = scores[index_of(person.household)];
 		const bool walks = entry.state == PersonState::Walking;
-		const bool is_led_child = walks && is_valid(entry.leader) && entry.leader != entry.person && person.age < 18.0f;
+		const bool is_led_child = walks && is_valid(entry.leader) && entry.leader != entry.person && person.age < adult_age;
 		score.shared_walks += is_led_child;
 		score.walks += walks;
 		score.places += entry.state == PersonState::AtPlace;

@@ -9,7 +9,6 @@ namespace pcg {
 
 namespace {
 
-constexpr double tolerance = 0.02; // metres: positions are floats, times whole milliseconds
 constexpr double zone_margin = 2.0; // metres from a zone's outline that still count as at it
 constexpr size_t example_limit = 20;
 

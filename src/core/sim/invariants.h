@@ -52,12 +52,12 @@ public:
 	void on_jump(SimTime from, SimTime to) override;
 
 private:
+	static constexpr double tolerance = 0.02; // metres: positions are floats, times whole milliseconds
 	static constexpr SimTime long_ago{ std::numeric_limits<int64_t>::min() };
 
 	struct Life {
 		glm::vec3 seen_position{ 0.0f };
 		SimTime seen_time = never;
-		PersonState seen_state = PersonState::Inside;
 		BuildingId seen_building = BuildingId::Invalid;
 		SimTime span_end = never;
 		glm::vec3 span_position{ 0.0f };

@@ -7,10 +7,6 @@
 // What is looked at now and then: everybody, where they are at one moment.
 namespace pcg {
 
-namespace {
-constexpr double tolerance = 0.02; // metres: positions are floats
-}
-
 void InvariantChecker::check() {
 	const bool knows_city = _simulation.knows_city(); // else it is not to blame
 	for (uint32_t i = 0; i < _lives.size(); ++i) {
@@ -53,7 +49,6 @@ void InvariantChecker::check_position(PersonId id, const PersonView &view) {
 	}
 	known.seen_position = view.position;
 	known.seen_time = now;
-	known.seen_state = view.state;
 	known.seen_building = inside;
 }
 
@@ -65,9 +60,8 @@ void InvariantChecker::check_building(PersonId id, const PersonView &view) {
 		complain(Promise::RightBuilding, id, now, "is inside building " + number_text(_simulation.settings().numbers.buildings, inside) + ", which is gone");
 	}
 	const PlannedEntry entry = _simulation.plan_at(id, now);
-	const bool is_stay = entry.kind == TaskKind::StayInside || entry.kind == TaskKind::GoToBuilding;
 	const bool is_with_late_group = is_valid(view.leader);
-	if (!is_stay || is_with_late_group) {
+	if (!is_stay(entry.kind) || is_with_late_group) {
 		return;
 	}
 	const BuildingId wanted = entry.is_hole() ? _simulation.population().home_of(id) : BuildingId(entry.target);

@@ -2,15 +2,11 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/population/age_group.h"
 #include "core/sim/invariants.h"
 
 // Accompanied children are never alone on the way.
 namespace pcg {
-
-namespace {
-constexpr double tolerance = 0.02; // metres
-constexpr float full_age = 18.0f;
-}
 
 // A walk that began before the person was called to its group is its own, and stays so when it is led elsewhere because its goal moved.
 void InvariantChecker::note_walk_begin(const SimEvent &event) {
@@ -44,6 +40,6 @@ void InvariantChecker::check_child(PersonId id, PersonId leader, glm::vec3 posit
 	}
 }
 
-bool InvariantChecker::is_child(PersonId id) const { return _simulation.population().person(id).age < full_age; }
+bool InvariantChecker::is_child(PersonId id) const { return _simulation.population().person(id).age < adult_age; }
 
 } // namespace pcg

@@ -161,7 +161,7 @@ PersonView Simulation::view(PersonId id) const {
 
 bool Simulation::is_stranded(PersonId id) const {
 	const PersonRecord &person = record(id);
-	return person.state == PersonState::Waiting && !person.is_absent() && !person.is_in_group() && person.behavior == PersonRecord::none;
+	return person.state == PersonState::Waiting && !person.is_absent() && person.is_on_its_own();
 }
 
 uint32_t Simulation::inside_count(BuildingId building) const {

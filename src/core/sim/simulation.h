@@ -101,7 +101,8 @@ public:
 	// once where its time has come.
 	void take_in_agenda(PersonId id);
 	// Everybody's agenda becomes another one, and so does the program that the rules in them are of: `change` replaces what is in the AgendaSet, for the
-	// same people, and gives that program; `overrides` as given to the generation of the new ones. What anybody does ends, and all go on from where they are with what the new agendas say now.
+	// same people, and gives that program; `overrides` as given to the generation of the new ones. What anybody does ends, and all go on from where they
+	// are with what the new agendas say now.
 	void change_agendas(const std::function<std::shared_ptr<const Program>()> &change, std::vector<AttributeOverride> overrides = {});
 	// The game has the person from now on: it leaves its rule, group, seat and building; its body is freed, for the game shows it. It counts as
 	// waiting outdoors. False: it is not there, or was taken already.

@@ -39,7 +39,7 @@ void Simulation::mend_goals() {
 	}
 	for (uint32_t i = 0; i < _persons.size(); ++i) {
 		const PersonRecord &person = _persons[i];
-		if (!person.is_absent() && !person.is_in_group() && person.behavior == PersonRecord::none) {
+		if (!person.is_absent() && person.is_on_its_own()) {
 			try_again(PersonId(i)); // perhaps there is a way now
 		}
 	}
@@ -112,7 +112,7 @@ void Simulation::put_out(PersonId id) {
 	emit(id, SimEventKind::GoalChanged, record(id).target());
 	leave_building(id, record(id).position);
 	show_standing(id);
-	if (record(id).behavior == PersonRecord::none && !record(id).is_in_group()) {
+	if (record(id).is_on_its_own()) {
 		begin_stay(id, home_of(id));
 	}
 	schedule(id);

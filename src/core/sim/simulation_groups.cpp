@@ -77,7 +77,7 @@ bool Simulation::is_expected(PersonId id, uint32_t group, PersonId caller) const
 		for (const Task &task : _agendas.agenda_of(id).on(day)) {
 			const SimTime task_start = SimTime::at(day, task.start());
 			const bool is_on = (task.days >> task_start.weekday()) & 1;
-			if (is_on && task.kind == TaskKind::Accompany && task.target == group && task_start >= first && task_start < first + one_day) {
+			if (is_on && is_walk(task, group) && task_start >= first && task_start < first + one_day) {
 				start = std::min(start, task_start);
 				end = std::max(end, SimTime::at(day, task.end()));
 			}

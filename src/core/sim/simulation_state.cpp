@@ -208,7 +208,8 @@ bool Simulation::is_sound(const SavedState &state, PersonId id) const {
 	const bool walks_in_group = walks && (person.purpose == Purpose::Group || person.purpose == Purpose::Pickup);
 	const bool has_rule = person.behavior != none;
 	const bool is_in_time = person.queued >= state.now && person.due >= state.now && (person.is_in_group() || person.entry_end >= state.now);
-	const bool has_entry = person.is_in_hole() || (person.is_in_group() && person.entry_task == PlannedEntry::gone) || person.entry_task < _agendas.agenda_of(id).on(person.entry_start.day()).size();
+	const bool has_entry = person.is_in_hole() || (person.is_in_group() && person.entry_task == PlannedEntry::gone) ||
+			person.entry_task < _agendas.agenda_of(id).on(person.entry_start.day()).size();
 	if (!is_finite(person.position) || !is_in_time || !has_entry || !names_a_place(person) || walks != (person.walk != none) ||
 			(walks && person.walk >= state.walks.size()) || (has_rule && person.behavior >= state.behaviors.size()) ||
 			(person.is_in_group() && person.party >= state.parties.size())) {

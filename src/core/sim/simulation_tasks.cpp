@@ -79,7 +79,7 @@ void Simulation::begin_stay(PersonId id, BuildingId building) {
 // Where somebody belongs whom neither a rule nor a group leads; Invalid: where it is.
 BuildingId Simulation::resting_place(PersonId id) const {
 	const TaskKind kind = record(id).entry_kind;
-	if (kind == TaskKind::StayInside || kind == TaskKind::GoToBuilding) {
+	if (is_stay(kind)) {
 		return building_of(id, entry_of(id));
 	}
 	if (kind == TaskKind::DelayedRule) { // which is over
@@ -94,10 +94,9 @@ BuildingId Simulation::resting_place(PersonId id) const {
 // Whoever found no way there goes now if there is one.
 void Simulation::try_again(PersonId id) {
 	PersonRecord &person = record(id);
-	const bool is_stay = person.entry_kind == TaskKind::StayInside || person.entry_kind == TaskKind::GoToBuilding;
 	const bool walks = person.state == PersonState::Walking;
 	const BuildingId goal = resting_place(id);
-	if (!is_valid(goal) || (walks && !is_stay) || (person.target().building() == goal && person.state != PersonState::Waiting)) {
+	if (!is_valid(goal) || (walks && !is_stay(person.entry_kind)) || (person.target().building() == goal && person.state != PersonState::Waiting)) {
 		return;
 	}
 	find_doors(goal, _to_points);

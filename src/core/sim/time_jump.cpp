@@ -121,8 +121,7 @@ BuildingId Simulation::building_of(PersonId id, const PlannedEntry &entry) const
 	if (entry.is_hole()) {
 		return home_of(id);
 	}
-	const bool is_stay = entry.kind == TaskKind::StayInside || entry.kind == TaskKind::GoToBuilding;
-	return is_stay && entry.target < _city.buildings().size() ? BuildingId(entry.target) : BuildingId::Invalid;
+	return is_stay(entry.kind) && entry.target < _city.buildings().size() ? BuildingId(entry.target) : BuildingId::Invalid;
 }
 
 // Whether the agenda has had the person in that building for so long that it surely is there.

@@ -169,11 +169,9 @@ void CitizenManager::draw_people(CitizenLife &life, Diagnostics &diagnostics) co
 
 bool CitizenManager::generate_population() {
 	const uint64_t self = get_instance_id();
-	stop();
-	if (!is_there(self) || !is_alone("generate_population")) {
+	if (!let_everybody_go("generate_population")) {
 		return false;
 	}
-	clear_population();
 	if (!check_inputs(_diagnostics)) {
 		report(_diagnostics);
 		return false;
@@ -198,15 +196,19 @@ bool CitizenManager::generate_population() {
 	return true;
 }
 
-void CitizenManager::clear_population() {
+void CitizenManager::clear_population() { let_everybody_go("clear_population"); }
+
+// False if it cannot be now, or a listener has freed this node.
+bool CitizenManager::let_everybody_go(const char *p_method) {
 	const uint64_t self = get_instance_id();
 	stop();
-	if (!is_there(self) || !is_alone("clear_population")) {
-		return;
+	if (!is_there(self) || !is_alone(p_method)) {
+		return false;
 	}
 	_life.reset();
 	_renews_agendas = false;
 	_diagnostics = Diagnostics();
+	return true;
 }
 
 bool CitizenManager::start() {

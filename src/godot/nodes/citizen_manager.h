@@ -143,8 +143,8 @@ protected:
 	void _notification(int p_what);
 
 private:
-	static constexpr const char *no_person = "CitizenManager: there is no such person. Persons are numbered from 0; get_statistics() has their number.";
-	static constexpr const char *no_lives = "CitizenManager: no lives are recorded. Set record_lives before start().";
+	static constexpr const char *no_person = "CitizenManager: there is no such person. Persons are numbered from 0; count_persons() tells how many there are.";
+	static constexpr const char *no_lives = "CitizenManager: no lives are recorded: set record_lives, before or after start().";
 
 	static void bind_properties();
 	static void bind_queries();
@@ -152,6 +152,7 @@ private:
 	static void bind_signals();
 	bool check_inputs(Diagnostics &diagnostics) const;
 	bool check_place(Diagnostics &diagnostics) const;
+	bool let_everybody_go(const char *p_method);
 	std::shared_ptr<CitizenLife> new_life() const;
 	void draw_people(CitizenLife &life, Diagnostics &diagnostics) const;
 	AgendaOptions agenda_options(const CitizenLife &life) const;

@@ -44,9 +44,8 @@ bool CitizenManager::is_living(int p_person, const char *p_method) const {
 }
 
 bool CitizenManager::check_task(const Task &task, std::optional<int64_t> day) const {
-	const bool is_stay = task.kind == TaskKind::StayInside || task.kind == TaskKind::GoToBuilding;
 	const std::vector<Building> &buildings = _life->city->city.model.buildings();
-	ERR_FAIL_COND_V_MSG(is_stay && (task.target >= buildings.size() || buildings[task.target].is_removed), false,
+	ERR_FAIL_COND_V_MSG(is_stay(task.kind) && (task.target >= buildings.size() || buildings[task.target].is_removed), false,
 			"CitizenManager: `target` of the task is no building of the city.");
 	const bool is_over = day && is_running() && SimTime::at(*day, task.end()) <= _life->simulation->now();
 	ERR_FAIL_COND_V_MSG(is_over, false, "CitizenManager: the time of the task is over. `day` counts from the first Monday on, as the property `day` does.");

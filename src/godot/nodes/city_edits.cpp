@@ -94,7 +94,7 @@ void CityEdits::forget_ids() {
 
 void CityEdits::restore_ids() {
 	constexpr int most = 1 << 24; // ids beyond that are not ours
-	std::array<size_t, kind_count> counts{};
+	std::array<size_t, CityLink::kind_count> counts{};
 	size_t buildings = 0;
 	for (const uint64_t object : _noted) {
 		Node *node = node_of<Node>(object);

@@ -54,7 +54,6 @@ public:
 
 private:
 	using Kind = CityLink::Kind;
-	static constexpr size_t kind_count = 4;
 	struct Bond {
 		Kind kind = Kind::Entrance;
 		uint32_t id = 0;
@@ -80,7 +79,7 @@ private:
 	std::shared_ptr<CityState> _state;
 	std::vector<uint64_t> _noted; // objects; some may be gone
 	std::unordered_map<uint64_t, Bond> _bonds; // by object
-	std::array<std::vector<uint64_t>, kind_count> _nodes; // by Kind, then by id; 0 = none. Lots have no records, so none of theirs
+	std::array<std::vector<uint64_t>, CityLink::kind_count> _nodes; // by Kind, then by id; 0 = none. Lots have no records, so none of theirs
 	std::map<uint64_t, LotPlace> _lots; // by object
 	std::unordered_map<uint64_t, BuildingId> _building_of_lot; // by object
 	std::unordered_map<uint32_t, uint64_t> _lot_of_building;

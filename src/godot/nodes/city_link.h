@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include <godot_cpp/classes/node3d.hpp>
@@ -14,6 +15,7 @@ class PCGCity;
 class CityLink {
 public:
 	enum class Kind : uint8_t { Lot, Entrance, Zone, Object };
+	static constexpr size_t kind_count = size_t(Kind::Object) + 1;
 
 	explicit CityLink(Kind kind) : _kind(kind) {}
 	Kind kind() const { return _kind; }

@@ -78,6 +78,9 @@ TypedArray<Dictionary> PCGRuleSet::get_builtins(Dialect p_dialect) {
 	for (const VariableSpec &spec : dialect.variables) {
 		result.push_back(to_entry("variable", spec.name, spec.name, spec.help));
 	}
+	for (const AnnotationSpec &spec : dialect.annotations) {
+		result.push_back(to_entry("annotation", "@" + std::string(spec.name), signature_text(spec), spec.help));
+	}
 	return result;
 }
 

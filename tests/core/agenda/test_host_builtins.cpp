@@ -126,6 +126,8 @@ TEST_CASE("what cannot be registered is told") {
 	CHECK(refused([](HostFunction &f) { f.name = ""; }) == "host-name");
 	CHECK(refused([](HostFunction &f) { f.name = "9lives"; }) == "host-name");
 	CHECK(refused([](HostFunction &f) { f.name = "case"; }) == "host-name");
+	CHECK(refused([](HostFunction &f) { f.name = "style"; }) == "host-name");
+	CHECK(refused([](HostFunction &f) { f.name = "set"; }) == "host-name");
 	CHECK(refused([](HostFunction &f) { f.params[0].is_optional = true, f.params[1].is_optional = false; }) == "host-parameters");
 	CHECK(refused([](HostFunction &f) { f.call = nullptr; }) == "host-call");
 }

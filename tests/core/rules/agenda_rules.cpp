@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "core/base/day_names.h"
 #include "tests/core/agenda/agenda_fixture.h"
 #include "tests/core/rules/lived_day.h"
 #include "tests/core/rules/rule_file.h"
@@ -13,8 +14,6 @@ using namespace pcg;
 
 // Runs tests/rules/agenda/*.pcg; their README tells the format.
 namespace {
-
-constexpr std::string_view day_names[] = { "mon", "tue", "wed", "thu", "fri", "sat", "sun" };
 
 struct ExpectedDay {
 	uint32_t person = 0;
@@ -107,7 +106,7 @@ void read_expectation(RuleTest &test, const std::string &text, size_t line) {
 		words >> second;
 	}
 	second.erase(std::remove(second.begin(), second.end(), ':'), second.end());
-	REQUIRE((second == "pool" || second == "all" || std::ranges::find(day_names, second) != std::end(day_names)));
+	REQUIRE((second == "pool" || second == "all" || weekday_named(second)));
 	test.days.push_back({ uint32_t(std::stoul(first)), form, second, trimmed(text.substr(colon + 1)) });
 }
 
@@ -140,7 +139,7 @@ void check_day(const AgendaFixture &fixture, const ExpectedDay &expected) {
 		return;
 	}
 	for (int day = 0; day < 7; ++day) {
-		if (expected.when != "all" && expected.when != day_names[day]) {
+		if (expected.when != "all" && expected.when != short_day_name(size_t(day))) {
 			continue;
 		}
 		const std::string found = expected.form == "walks" ? fixture.walks_of(id, day)

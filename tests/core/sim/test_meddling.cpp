@@ -93,9 +93,7 @@ TEST_CASE("all promises hold while the city and the people change at random") {
 		}
 		simulation.flush_lived();
 		checker.finish();
-		for (const std::string &example : checker.examples()) {
-			INFO(example);
-			CHECK(checker.broken_total() == 0);
-		}
+		INFO((checker.examples().empty() ? std::string() : checker.examples()[0]));
+		CHECK(checker.broken_total() == 0);
 	}
 }

@@ -3,6 +3,8 @@ extends RefCounted
 ## Colours for rule files, in those of the editor's own code.
 
 const SETTINGS := "text_editor/theme/highlighting/"
+const COLORS: Dictionary[String, String] = {"operation": "engine_type_color", "function": "function_color", "variable": "base_type_color",
+		"annotation": "gdscript/annotation_color"} ## settings by what PCGRuleSet.get_builtins() calls `kind`
 
 
 ## Makes a highlighter for the words of a language.
@@ -22,15 +24,13 @@ static func make(language: Object, defined_rules: PackedStringArray) -> CodeHigh
 		_add_builtin(highlighter, entry)
 	for keyword: String in language.get("keywords"):
 		highlighter.add_keyword_color(keyword, _color("control_flow_keyword_color" if keyword in ["case", "else"] else "keyword_color"))
-	for annotation: String in language.get("ANNOTATIONS"):
-		highlighter.add_keyword_color(annotation, _color("gdscript/annotation_color"))
 	return highlighter
 
 
 # A dotted name is coloured part by part, because the engine's highlighter knows words only.
 static func _add_builtin(highlighter: CodeHighlighter, entry: Dictionary) -> void:
-	var color: Color = _color({"operation": "engine_type_color", "function": "function_color"}.get(entry["kind"], "base_type_color"))
-	var parts: PackedStringArray = str(entry["name"]).split(".")
+	var color: Color = _color(COLORS[entry["kind"]])
+	var parts: PackedStringArray = str(entry["name"]).trim_prefix("@").split(".")
 	highlighter.add_keyword_color(parts[0], color)
 	for part: String in parts.slice(1):
 		highlighter.add_member_keyword_color(part, color)

@@ -1,22 +1,8 @@
 @tool
 extends RefCounted
-## The words of one rule language as an editor needs them. Operations, functions and variables come from the tables that the compiler itself uses;
-## rules and attributes from the text and, through its last good compilation, from what it imports.
+## The words of one rule language as an editor needs them. Operations, functions, variables and annotations come from the tables that the compiler itself
+## uses; rules and attributes from the text and, through its last good compilation, from what it imports.
 
-const ANNOTATIONS := {
-	"StartRule": "Marks the rule that begins.",
-	"Group": "@Group(\"name\" [, order]): the attributes from here on stand in that group.",
-	"Range": "@Range(min=0, max=1 [, stepsize=0.1]) or @Range(\"a\", \"b\"): what the attribute may be.",
-	"Enum": "@Enum(\"a\", \"b\"): the values to choose from.",
-	"Color": "The attribute is a colour, \"#rrggbb\".",
-	"File": "@File(\"png\"): the attribute is the path of a file.",
-	"Description": "@Description(\"text\"): what the attribute means.",
-	"Order": "@Order(number): where the attribute or rule stands among the others.",
-	"Hidden": "The attribute is not shown.",
-	"Percent": "The attribute is a part of one.",
-	"Angle": "The attribute is an angle in degrees.",
-	"Distance": "The attribute is a length in metres.",
-}
 # Text that somebody is typing compiles seldom, so names that it defines are found by these; what does compile tells them itself.
 const RULE_PATTERN := "(?m)^[ \\t]*([A-Za-z_]\\w*)[ \\t]*(\\([^)\\n]*\\))?[ \\t]*(?:=[ \\t\\n]*.*)?--?>"
 const VALUE_PATTERN := "(?m)^[ \\t]*(?:(attr|const)[ \\t]+)?([A-Za-z_]\\w*)[ \\t]*(\\([^)\\n]*\\))?[ \\t]*=(?!=)"
@@ -42,8 +28,6 @@ func _init(of: PCGRuleSet.Dialect) -> void:
 
 ## What hovering over `word` tells; empty if the language does not have it.
 func get_help(word: String) -> String:
-	if word.begins_with("@"):
-		return ANNOTATIONS.get(word.substr(1), "")
 	return "\n\n".join(_helps.get(word, PackedStringArray()))
 
 
@@ -92,14 +76,16 @@ func find_completions(prefix: String, text: String) -> Array[Dictionary]:
 
 
 func _candidates(prefix: String, text: String) -> Array[Dictionary]:
-	var result: Array[Dictionary] = []
 	if prefix.begins_with("@"):
-		for annotation: String in ANNOTATIONS:
-			result.append({"kind": "keyword", "name": "@" + annotation})
-		return result
+		return builtins.filter(_is_annotation)
+	var result: Array[Dictionary] = []
 	for keyword: String in keywords:
 		result.append({"kind": "keyword", "name": keyword})
 	result.append_array(find_definitions(text))
 	result.append_array(_imported)
-	result.append_array(builtins)
+	result.append_array(builtins.filter(func(entry: Dictionary) -> bool: return not _is_annotation(entry)))
 	return result
+
+
+static func _is_annotation(entry: Dictionary) -> bool:
+	return entry["kind"] == "annotation"

@@ -101,7 +101,7 @@ private:
 		}
 		const bool is_since_yesterday = task->start_ms > _time_of_day.ms;
 		Trip trip{ BuildingId::Invalid, task->start_ms, task->end_ms, is_since_yesterday ? (day + 6) % 7 : day };
-		if (task->kind == TaskKind::StayInside || task->kind == TaskKind::GoToBuilding) {
+		if (is_stay(task->kind)) {
 			trip.goal = BuildingId(task->target);
 		} else if (task->kind == TaskKind::Accompany) {
 			trip.goal = _context.groups()[task->target].goal;
@@ -164,7 +164,7 @@ Flow accompany(Vm &vm, const Args &args) {
 		return Flow::Stop;
 	}
 	if (std::optional<CallProblem> problem = moment_problem("accompany", args.number(0))) {
-		vm.warn(problem->id, std::move(problem->message), std::move(problem->hint));
+		warn(vm, std::move(*problem));
 		return Flow::Next;
 	}
 	Accompaniment accompaniment(vm, *context, args.number(0));

@@ -1,7 +1,5 @@
 #include "core/agenda/operations/building_entry.h"
 
-#include <utility>
-
 #include "core/agenda/operations/constant_checks.h"
 
 namespace pcg::agenda {
@@ -18,8 +16,7 @@ Flow insert_building_entry(Vm &vm, const Args &args, std::string_view operation,
 	if (!require_focus(vm, operation)) {
 		return Flow::Stop;
 	}
-	CallProblem problem = no_building(operation, args.number(2));
-	vm.warn(problem.id, std::move(problem.message), std::move(problem.hint));
+	warn(vm, no_building(operation, args.number(2)));
 	return Flow::Next;
 }
 

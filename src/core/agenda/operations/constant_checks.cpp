@@ -2,15 +2,11 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
+
+#include "core/lang/vm.h"
 
 namespace pcg::agenda {
-
-namespace {
-
-constexpr double day_seconds = 86'400.0;
-constexpr double week_seconds = 7.0 * day_seconds;
-
-} // namespace
 
 std::optional<CallProblem> moment_problem(std::string_view operation, double time) {
 	const std::string name = "'" + std::string(operation) + "'";
@@ -34,7 +30,7 @@ std::optional<CallProblem> times_problem(std::string_view operation, double star
 		return CallProblem{ "no-length", name + " would end before it starts, so nothing is inserted", "the first time has to be before the second" };
 	}
 	if (end - start > day_seconds) {
-		return CallProblem{ "longer-than-a-day", name + " lasts longer than 24 h and is cut there", "write one entry for each day" };
+		return CallProblem{ too_long_id, name + " lasts longer than 24 h and is cut there", "write one entry for each day" };
 	}
 	return std::nullopt;
 }
@@ -55,6 +51,8 @@ CallProblem no_building(std::string_view operation, double number) {
 	return { "no-building", name + " is given " + value_text(Value::of(number)) + ", which is no building of the city, so nothing is inserted",
 		"buildings have the ids of the city's file: write one of them, or find one by its type, as in findBuilding(\"school\")" };
 }
+
+void warn(Vm &vm, CallProblem problem) { vm.warn(problem.id, std::move(problem.message), std::move(problem.hint)); }
 
 std::optional<CallProblem> check_times(const KnownCall &call) {
 	const auto times = call.arguments;

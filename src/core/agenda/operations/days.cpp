@@ -1,15 +1,14 @@
-#include <array>
 #include <optional>
 #include <string>
 
 #include "core/agenda/generation_context.h"
+#include "core/agenda/operations/constant_checks.h"
 #include "core/agenda/operations/operations.h"
+#include "core/base/day_names.h"
 
 namespace pcg::agenda {
 
 namespace {
-
-constexpr std::array<std::string_view, 7> day_names{ "monday", "tuesday", "wednesday", "thursday", "friday", "saturday", "sunday" };
 
 std::string_view trimmed(std::string_view text) {
 	while (!text.empty() && text.front() == ' ') {
@@ -102,8 +101,7 @@ Flow days(Vm &vm, const Args &args) {
 	std::string_view culprit;
 	const std::optional<DayMask> mask = days_mask(args[0].text->view, culprit);
 	if (!mask) {
-		CallProblem problem = unknown_day(culprit);
-		vm.warn(problem.id, std::move(problem.message), std::move(problem.hint));
+		warn(vm, unknown_day(culprit));
 		return Flow::Next;
 	}
 	const DayMask outer = context->days();

@@ -19,7 +19,7 @@ Flow floating_task(Vm &vm, const Args &args) {
 	const double duration = args.number(0);
 	const double priority = args.number_or(2, 0.0);
 	if (std::optional<CallProblem> problem = duration_problem(duration, priority)) {
-		vm.warn(problem->id, std::move(problem->message), std::move(problem->hint));
+		warn(vm, std::move(*problem));
 		return Flow::Next;
 	}
 	FloatingTask task;
