@@ -44,6 +44,8 @@ func _ready() -> void:
 	_add_inspector(%Layout, _layout_inspector)
 	_add_inspector(%Attributes, _attribute_inspector)
 	_types.set_column_expand(1, false)
+	_types.set_column_expand_ratio(0, 4)
+	_types.set_column_expand_ratio(2, 5)
 	for column: int in 3:
 		_types.set_column_title(column, ["Lots", "Weight", "Rules"][column])
 		_types.set_column_title_alignment(column, HORIZONTAL_ALIGNMENT_LEFT)
@@ -66,7 +68,7 @@ func _take_theme() -> void:
 	var figures: Tree = %Statistics
 	figures.set_column_expand(1, false)
 	figures.set_column_custom_minimum_width(1, roundi(70.0 * EditorInterface.get_editor_scale()))
-	_types.set_column_custom_minimum_width(1, roundi(84.0 * EditorInterface.get_editor_scale()))
+	_types.set_column_custom_minimum_width(1, roundi(76.0 * EditorInterface.get_editor_scale()))
 	(%Dice as Button).icon = get_theme_icon("RandomNumberGenerator", "EditorIcons")
 	(%Generate as Button).icon = get_theme_icon("Reload", "EditorIcons")
 	(%Clear as Button).icon = get_theme_icon("Clear", "EditorIcons")
