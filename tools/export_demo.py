@@ -20,15 +20,14 @@ from pathlib import Path
 from deps import ROOT, read_deps
 from engine import engine_directory, engine_version
 from engine_fetch import FetchError, fetch_templates
-from run_tests import complaints
+from run_tests import OF_SCREEN_IN_MEMORY, complaints
 
 WORK = ROOT / "build/export"
 TIME_LIMIT = 300  # seconds for one run
 KINDS = ("debug", "release")
 # The engine's own: Debian's release template says this of every Container in any game's scene when the game ends.
-# And a screen in memory knows no V-Sync.
 NOT_OURS = re.compile(r"^ERROR: Attempt to disconnect a nonexistent connection from .*'(size_flags|visibility)_changed', callable: ''"
-                      r"|^WARNING: Could not set V-Sync mode")
+                      "|" + OF_SCREEN_IN_MEMORY.pattern)
 PRESET = """[preset.0]
 name="Linux"
 platform="Linux"

@@ -2,7 +2,9 @@
 extends Node
 ## Takes pictures of the editor with the addon at work, for the documentation and for whoever looks whether all is in its place.
 ##
-##     xvfb-run -a godot --editor --path build/editor_project --rendering-driver opengl3 -- --pictures FOLDER
+##     xvfb-run -a godot --editor --path build/picture_project --rendering-driver opengl3 -- --pictures FOLDER
+##
+## tools/editor_pictures.py does that, in the light and the dark theme and at 100 and 200 %.
 
 const Authoring := preload("res://addons/pcg/editor/authoring.gd")
 
@@ -27,11 +29,22 @@ func run(of: Authoring, into: String) -> void:
 func _take_rules() -> void:
 	authoring.show_place("res://rules/cga/house.cga", 0)
 	var edit: CodeEdit = authoring.rules.get_current()
-	edit.set_line(42, edit.get_line(42).replace("split", "splitt"))
-	edit.call("check")
-	edit.call("go_to", 43, 13)
+	_break_rule(edit)
 	await _wait(6)
 	_save("rules")
+	_mend_rule(edit)
+	await _wait(6)
+	_save("rules_good")
+	authoring.plugin.hide_bottom_panel()
+
+
+func _break_rule(edit: CodeEdit) -> void:
+	edit.set_line(42, edit.get_line(42).replace("split(x)", "split(x"))
+	edit.call("check")
+	edit.call("go_to", 43, 13)
+
+
+func _mend_rule(edit: CodeEdit) -> void:
 	edit.undo()
 	edit.call("check")
 	edit.tag_saved_version()
@@ -46,8 +59,9 @@ func _take_city() -> void:
 	authoring.dock.city_tab.generate()
 	while city.is_generating():
 		await get_tree().process_frame
+	EditorInterface.get_selection().clear()
 	printerr("generated after ", Time.get_ticks_msec(), " ms")
-	await _look_at(Vector3.ZERO, 150.0)
+	await _look_at(Vector3.ZERO, 190.0)
 	await _wait(8)
 	_save("city")
 	var pages: TabContainer = authoring.dock.city_tab.get_node("%Pages")
@@ -76,7 +90,7 @@ func _take_people() -> void:
 	await authoring.dock.simulation_tab.survey.ended
 	(authoring.dock.simulation_tab.get_node("%Heat") as CheckBox).button_pressed = true
 	authoring.context.citizens.paused = true
-	await _look_at(_find_crowd(), 12.0)
+	await _look_at(_find_crowd(), 26.0)
 	await _wait(4)
 	_save("simulation")
 	(authoring.dock.simulation_tab.get_node("%Heat") as CheckBox).button_pressed = false
@@ -91,6 +105,18 @@ func _take_people() -> void:
 	await _wait(4)
 	_save("entry")
 	dialog.hide()
+	await _take_problems()
+
+
+func _take_problems() -> void:
+	authoring.show_place("res://rules/cga/house.cga", 0)
+	_break_rule(authoring.rules.get_current())
+	_show_dock(authoring.dock)
+	authoring.plugin.hide_bottom_panel()
+	authoring.dock.show_page(4)
+	await _wait(5)
+	_save("problems")
+	_mend_rule(authoring.rules.get_current())
 
 
 # Where somebody outdoors has most others around.
