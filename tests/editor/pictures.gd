@@ -138,12 +138,14 @@ func _find_child() -> int:
 
 
 func _take_gizmos() -> void:
-	var zones: Array[Node] = authoring.context.city.find_children("*", "PCGZone", true, false)
-	if not zones.is_empty():
-		EditorInterface.edit_node(zones[0])
-		await _look_at((zones[0] as Node3D).global_position, 35.0)
+	(authoring.dock.person_tab.get_node("%Ways") as CheckBox).button_pressed = false
+	authoring.dock.show_page(0)
+	for picture: Array in [["gizmos", "PCGZone", 24.0], ["gizmos_door", "PCGEntrance", 9.0], ["gizmos_object", "PCGObject", 7.0]]:
+		var nodes: Array[Node] = authoring.context.city.find_children("*", picture[1], true, false)
+		EditorInterface.edit_node(nodes[0])
+		await _look_at((nodes[0] as Node3D).global_position, picture[2])
 		await _wait(3)
-		_save("gizmos")
+		_save(picture[0])
 
 
 func _show_dock(content: Control) -> void:

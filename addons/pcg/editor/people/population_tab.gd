@@ -57,9 +57,9 @@ func _take_theme() -> void:
 	_filter.right_icon = get_theme_icon("Search", "EditorIcons")
 	(%Generate as Button).icon = get_theme_icon("Reload", "EditorIcons")
 	_list.set_column_expand(1, false)
-	_list.set_column_expand_ratio(0, 3)
 	_list.set_column_expand_ratio(2, 4)
-	_list.set_column_custom_minimum_width(1, roundi(3.0 * em))
+	for column: int in 3:
+		_list.set_column_custom_minimum_width(column, roundi([7.5, 3.0, 5.0][column] * em))
 	for column: int in [1, 2]:
 		_shares.set_column_expand(column, false)
 		_shares.set_column_custom_minimum_width(column, roundi(5.0 * em))

@@ -61,7 +61,7 @@ func _take_theme() -> void:
 	(%Pick as Button).icon = get_theme_icon("ToolSelect", "EditorIcons")
 	for column: int in 3: # a line each in a wide dock, two in a narrow one
 		_list.set_column_expand_ratio(column, [1, 2, 5][column])
-		_list.set_column_custom_minimum_width(column, roundi([62.0, 84.0, 124.0][column] * EditorInterface.get_editor_scale()))
+		_list.set_column_custom_minimum_width(column, roundi([70.0, 90.0, 120.0][column] * EditorInterface.get_editor_scale()))
 	_week.custom_minimum_size = Vector2(180.0, 150.0) * EditorInterface.get_editor_scale()
 	for swatch: ColorRect in [%Hair, %Skin, %Clothes]:
 		swatch.custom_minimum_size = Vector2(28.0, 16.0) * EditorInterface.get_editor_scale()
