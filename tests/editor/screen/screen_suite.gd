@@ -68,17 +68,35 @@ static func compare(one: Image, other: Image, area: Rect2i) -> float:
 	return float(different) / maxi(looked_at, 1)
 
 
-## What does not fit into the place that it has, or sticks out of `holder` sideways: texts that neither wrap nor end in dots, and buttons.
+## Labels and buttons of `holder` that stick out of it sideways, or whose text is clipped, less those of the engine's inspectors; and `holder` itself where it
+## needs more room than it asks for.
 static func find_cut(holder: Control) -> PackedStringArray:
 	var cut := PackedStringArray()
 	var room: Rect2 = holder.get_global_rect().grow(1.0)
+	if holder.get_combined_minimum_size().x > maxf(holder.custom_minimum_size.x, 1.0) + 1.0:
+		cut.append("%s needs %d pixels" % [holder.name, holder.get_combined_minimum_size().x])
+	var inspectors: Array[Node] = holder.find_children("*", "EditorInspector", true, false)
 	for control: Control in holder.find_children("*", "Control", true, false):
+		if inspectors.any(func(inspector: Node) -> bool: return inspector.is_ancestor_of(control)):
+			continue
 		var area: Rect2 = control.get_global_rect()
 		var is_out: bool = area.position.x < room.position.x or area.end.x > room.end.x
-		var is_tight: bool = control.get_combined_minimum_size().x > control.size.x + 1.0
-		if control.is_visible_in_tree() and (control is Label or control is BaseButton or control is Range) and (is_out or is_tight):
+		if control.is_visible_in_tree() and (control is Label or control is BaseButton) and (is_out or _is_clipped(control)):
 			cut.append("%s %s" % [holder.get_path_to(control), area])
 	return cut
+
+
+static func _is_clipped(control: Control) -> bool:
+	var label := control as Label
+	var button := control as Button
+	if label and label.autowrap_mode != TextServer.AUTOWRAP_OFF:
+		return label.get_visible_line_count() < label.get_line_count()
+	if label:
+		return label.get_theme_font("font").get_string_size(label.text, 0, -1, label.get_theme_font_size("font_size")).x > label.size.x + 1.0
+	if button == null or not button.clip_text and button.text_overrun_behavior == TextServer.OVERRUN_NO_TRIMMING:
+		return false
+	var text: float = button.get_theme_font("font").get_string_size(button.text, 0, -1, button.get_theme_font_size("font_size")).x
+	return text + button.get_theme_stylebox("normal").get_minimum_size().x > button.size.x + 1.0
 
 
 func wait_until(is_so: Callable, seconds: float = 20.0) -> bool:
