@@ -69,7 +69,7 @@ func _take_city() -> void:
 	await _wait(5)
 	_save("city_layout")
 	pages.current_tab = 2
-	authoring.dock.city_tab.show_attributes(city.lot_types[0])
+	(authoring.dock.city_tab.get_node("%Types") as Tree).get_root().get_child(0).select(0)
 	await _wait(5)
 	_save("city_rules")
 
