@@ -7,9 +7,11 @@ WORD keeps the tests whose name holds it. A suite that does not reach its own en
 """
 
 import argparse
+import contextlib
 import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import threading
@@ -35,16 +37,28 @@ class Outcome:
     text: str = ""  # shown only if something failed
 
 
-def run(command, environment=None):
-    """Returns (exit status, everything printed); the status is None where the time limit ended the program."""
-    child = subprocess.Popen([str(part) for part in command], cwd=ROOT, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+def run(command, environment=None, folder=ROOT, limit=TIME_LIMIT):
+    """Returns (exit status, everything printed); the status is None where the limit, in seconds, ended the program. What the program began ends with it:
+    a screen in memory, and what is shown there."""
+    child = subprocess.Popen([str(part) for part in command], cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, start_new_session=True,
                              stderr=subprocess.STDOUT, text=True, errors="replace", env={**os.environ, **(environment or {})})
     expired = []
-    timer = threading.Timer(TIME_LIMIT, lambda: (expired.append(True), child.kill()))
+    timer = threading.Timer(limit, lambda: (expired.append(True), end_all(child)))
     timer.start()
-    text = child.communicate()[0]
-    timer.cancel()
+    try:
+        text = child.communicate()[0]
+    except BaseException:
+        end_all(child)
+        raise
+    finally:
+        timer.cancel()
     return (None if expired else child.returncode), text
+
+
+def end_all(child):
+    """Ends a program that began a session, and all that it began."""
+    with contextlib.suppress(ProcessLookupError):
+        os.killpg(child.pid, signal.SIGKILL)
 
 
 def ending(status):
