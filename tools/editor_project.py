@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """Makes a project below build/ anew: a project with a copy of the addon and its rules, as somebody has who installed it, and a second plugin that
-runs tests/editor. Tests may change its files; the checkout stays as it is."""
+runs tests/editor. Tests may change its files; the checkout stays as it is. And opens it on a screen in memory, where xvfb-run is."""
 
 import shutil
+import subprocess
 
 from deps import ROOT
+from engine import engine_version
 
 SETTINGS = """config_version=5
 
@@ -20,13 +22,25 @@ gdscript/warnings/untyped_declaration=2
 
 [editor_plugins]
 
-enabled=PackedStringArray("res://addons/pcg/plugin.cfg", "res://tests/editor/plugin.cfg")
+enabled=PackedStringArray({plugins})
 """
+ADDON = "res://addons/pcg/plugin.cfg"
+TESTS = "res://tests/editor/plugin.cfg"
+EDITOR_SETTINGS = """[gd_resource type="EditorSettings" format=3]
+
+[resource]
+interface/editor/display_scale = {scale}
+interface/theme/color_preset = "{preset}"
+interface/theme/follow_system_theme = false
+interface/editor/save_on_focus_loss = false
+interface/editor/single_window_mode = true
+"""
+SCALES = {"100": 2, "200": 6}  # of the editor's setting
 COPIED = ("rules", "tests/editor", "tests/godot/suite.gd", "tests/godot/runner.gd", "tests/godot/city_for_tests.gd")
 
 
-def make_project(name="editor_project"):
-    """Returns its path. The built library is linked, not copied."""
+def make_project(name="editor_project", plugins=(ADDON, TESTS)):
+    """Returns its path. The built library is linked, not copied. `plugins` are switched on in it."""
     project = ROOT / "build" / name
     shutil.rmtree(project, ignore_errors=True)
     shutil.copytree(ROOT / "addons/pcg", project / "addons/pcg", ignore=shutil.ignore_patterns("bin"))
@@ -34,10 +48,29 @@ def make_project(name="editor_project"):
     for copied in COPIED:
         (project / copied).parent.mkdir(parents=True, exist_ok=True)
         (shutil.copytree if (ROOT / copied).is_dir() else shutil.copy)(ROOT / copied, project / copied)
-    (project / "project.godot").write_text(SETTINGS)
+    (project / "project.godot").write_text(SETTINGS.format(plugins=", ".join(f'"{plugin}"' for plugin in plugins)))
     (project / ".godot").mkdir()
     (project / ".godot/extension_list.cfg").write_text("res://addons/pcg/pcg.gdextension\n")
     return project
+
+
+def know_script_help(engine, project):
+    """On a screen the engine gathers the help of scripts when a project is opened first, on two threads of which one joins the other perhaps before that
+    one is known: now and then, more often on a busy machine, the editor aborts with `std::system_error` (godotengine/godot#123273)."""
+    command = [engine, "--headless", "--no-header", "--path", project, "--script", ROOT / "tools/empty_script_help.gd"]
+    subprocess.run([str(part) for part in command], check=False, capture_output=True, stdin=subprocess.DEVNULL)
+
+
+def on_screen(engine, project, size="1280x800", scale="100", is_light=False):
+    """Returns the command that opens a project in the editor on a screen in memory, and its environment: a home of its own with these settings."""
+    home = project.with_name(project.name + "_home")
+    settings = home / f"godot/editor_settings-{'.'.join(engine_version(engine).split('.')[:2])}.tres"
+    settings.parent.mkdir(parents=True, exist_ok=True)
+    settings.write_text(EDITOR_SETTINGS.format(scale=SCALES[scale], preset="Light" if is_light else "Default"))
+    know_script_help(engine, project)
+    command = ["xvfb-run", "-a", "-s", f"-screen 0 {size}x24", engine, "--editor", "--no-header", "--path", project,
+               "--rendering-driver", "opengl3", "--audio-driver", "Dummy", "--resolution", size]
+    return command, {f"XDG_{kind}_HOME": str(home) for kind in ("DATA", "CONFIG", "CACHE")}
 
 
 if __name__ == "__main__":

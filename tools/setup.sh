@@ -73,6 +73,16 @@ need_packages() {
 	}
 }
 
+# A screen in memory, for pictures and tests of the editor. Who cannot have one goes without, and is told what is left out where that is.
+want_screen() {
+	local PACKAGES="
+xvfb xvfb-run
+xauth xauth"
+	if [ -n "$(missing_packages)" ] && command -v apt-get >/dev/null && [ "$(id -u)" = 0 ]; then
+		(need_packages) || say "going on without a screen in memory"
+	fi
+}
+
 # Sets GODOT to the engine and sees that build/api describes it.
 need_engine() {
 	GODOT=$(python3 tools/engine.py dump) || exit 1

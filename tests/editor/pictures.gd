@@ -2,7 +2,9 @@
 extends Node
 ## Takes pictures of the editor with the addon at work, for the documentation and for whoever looks whether all is in its place.
 ##
-##     xvfb-run -a godot --editor --path build/editor_project --rendering-driver opengl3 -- --pictures FOLDER
+##     xvfb-run -a godot --editor --path build/picture_project --rendering-driver opengl3 -- --pictures FOLDER
+##
+## tools/editor_pictures.py does that, in the light and the dark theme and at 100 and 200 %.
 
 const Authoring := preload("res://addons/pcg/editor/authoring.gd")
 
@@ -27,11 +29,22 @@ func run(of: Authoring, into: String) -> void:
 func _take_rules() -> void:
 	authoring.show_place("res://rules/cga/house.cga", 0)
 	var edit: CodeEdit = authoring.rules.get_current()
-	edit.set_line(42, edit.get_line(42).replace("split", "splitt"))
-	edit.call("check")
-	edit.call("go_to", 43, 13)
+	_break_rule(edit)
 	await _wait(6)
 	_save("rules")
+	_mend_rule(edit)
+	await _wait(6)
+	_save("rules_good")
+	authoring.plugin.hide_bottom_panel()
+
+
+func _break_rule(edit: CodeEdit) -> void:
+	edit.set_line(42, edit.get_line(42).replace("split(x)", "split(x"))
+	edit.call("check")
+	edit.call("go_to", 43, 13)
+
+
+func _mend_rule(edit: CodeEdit) -> void:
 	edit.undo()
 	edit.call("check")
 	edit.tag_saved_version()
@@ -46,8 +59,9 @@ func _take_city() -> void:
 	authoring.dock.city_tab.generate()
 	while city.is_generating():
 		await get_tree().process_frame
+	EditorInterface.get_selection().clear()
 	printerr("generated after ", Time.get_ticks_msec(), " ms")
-	await _look_at(Vector3.ZERO, 150.0)
+	await _look_at(Vector3.ZERO, 190.0)
 	await _wait(8)
 	_save("city")
 	var pages: TabContainer = authoring.dock.city_tab.get_node("%Pages")
@@ -55,7 +69,7 @@ func _take_city() -> void:
 	await _wait(5)
 	_save("city_layout")
 	pages.current_tab = 2
-	authoring.dock.city_tab.show_attributes(city.lot_types[0])
+	(authoring.dock.city_tab.get_node("%Types") as Tree).get_root().get_child(0).select(0)
 	await _wait(5)
 	_save("city_rules")
 
@@ -76,7 +90,7 @@ func _take_people() -> void:
 	await authoring.dock.simulation_tab.survey.ended
 	(authoring.dock.simulation_tab.get_node("%Heat") as CheckBox).button_pressed = true
 	authoring.context.citizens.paused = true
-	await _look_at(_find_crowd(), 12.0)
+	await _look_at(_find_crowd(), 26.0)
 	await _wait(4)
 	_save("simulation")
 	(authoring.dock.simulation_tab.get_node("%Heat") as CheckBox).button_pressed = false
@@ -91,6 +105,18 @@ func _take_people() -> void:
 	await _wait(4)
 	_save("entry")
 	dialog.hide()
+	await _take_problems()
+
+
+func _take_problems() -> void:
+	authoring.show_place("res://rules/cga/house.cga", 0)
+	_break_rule(authoring.rules.get_current())
+	_show_dock(authoring.dock)
+	authoring.plugin.hide_bottom_panel()
+	authoring.dock.show_page(4)
+	await _wait(5)
+	_save("problems")
+	_mend_rule(authoring.rules.get_current())
 
 
 # Where somebody outdoors has most others around.
@@ -112,12 +138,14 @@ func _find_child() -> int:
 
 
 func _take_gizmos() -> void:
-	var zones: Array[Node] = authoring.context.city.find_children("*", "PCGZone", true, false)
-	if not zones.is_empty():
-		EditorInterface.edit_node(zones[0])
-		await _look_at((zones[0] as Node3D).global_position, 35.0)
+	(authoring.dock.person_tab.get_node("%Ways") as CheckBox).button_pressed = false
+	authoring.dock.show_page(0)
+	for picture: Array in [["gizmos", "PCGZone", 24.0], ["gizmos_door", "PCGEntrance", 9.0], ["gizmos_object", "PCGObject", 7.0]]:
+		var nodes: Array[Node] = authoring.context.city.find_children("*", picture[1], true, false)
+		EditorInterface.edit_node(nodes[0])
+		await _look_at((nodes[0] as Node3D).global_position, picture[2])
 		await _wait(3)
-		_save("gizmos")
+		_save(picture[0])
 
 
 func _show_dock(content: Control) -> void:

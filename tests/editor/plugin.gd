@@ -4,9 +4,12 @@ extends EditorPlugin
 ##
 ##     godot --headless --editor --path build/editor_project -- [WORD]
 ##
-## The line "editor suite ended: N passed, N failed" is the proof that the run was not cut short.
+## Where there is a screen, the tests are those that click, press keys and look at it: tests/editor/screen. Those begin with the addon switched off.
+##
+## The line "editor suite ended: N passed, N failed", or "screen suite ended ..", is the proof that the run was not cut short.
 
 const FOLDER := "res://tests/editor"
+const SCREEN_FOLDER := "res://tests/editor/screen"
 const CityForTests := preload("res://tests/godot/city_for_tests.gd")
 const Runner := preload("res://tests/godot/runner.gd")
 
@@ -17,19 +20,21 @@ func _enter_tree() -> void:
 
 func _run() -> void:
 	var files: EditorFileSystem = EditorInterface.get_resource_filesystem()
-	while files.is_scanning() or not EditorInterface.is_plugin_enabled("pcg"):
+	var arguments: PackedStringArray = OS.get_cmdline_user_args()
+	var takes_pictures: bool = arguments.size() == 2 and arguments[0] == "--pictures"
+	var is_on_screen: bool = DisplayServer.get_name() != "headless" and not takes_pictures
+	while files.is_scanning() or not is_on_screen and not EditorInterface.is_plugin_enabled("pcg"):
 		await get_tree().process_frame
 	for frame: int in 10: # the editor opens its own windows and layout meanwhile
 		await get_tree().process_frame
-	var arguments: PackedStringArray = OS.get_cmdline_user_args()
-	if arguments.size() == 2 and arguments[0] == "--pictures":
+	if takes_pictures:
 		await _take_pictures(arguments[1])
 		return
 	var runner := Runner.new()
 	get_tree().root.add_child(runner)
-	await runner.run(FOLDER, arguments[0] if arguments.size() > 0 else "")
+	await runner.run(SCREEN_FOLDER if is_on_screen else FOLDER, arguments[0] if arguments.size() > 0 else "")
 	await _begin_a_city()
-	print("editor suite ended: %d passed, %d failed" % [runner.passed, runner.failed])
+	print("%s suite ended: %d passed, %d failed" % ["screen" if is_on_screen else "editor", runner.passed, runner.failed])
 	runner.queue_free()
 	get_tree().quit(0 if runner.failed == 0 else 1)
 

@@ -258,6 +258,48 @@ func test_setting_an_attribute_can_be_undone() -> void:
 	check_equal(city.lot_types[0].attributes, {}, "undone")
 
 
+func test_types_of_lots_are_added_given_rules_and_removed() -> void:
+	var city: PCGCity = await _add_small_city()
+	var types: Array[PCGLotType] = city.lot_types
+	var list: Tree = _tab.get_node("%Types")
+	check_equal(list.get_root().get_child_count(), types.size(), "a row for each type")
+	check((_tab.get_node("%RemoveType") as Button).disabled, "nothing is chosen")
+	_tab.get_node("%LandUse").call("add_type", load("res://rules/cga/town_hall.cga"))
+	await frames(2)
+	check_equal(city.lot_types.size(), types.size() + 1, "another type")
+	var added: PCGLotType = city.lot_types[-1]
+	check_equal([added.type, added.rules.get_file()], ["town_hall", "res://rules/cga/town_hall.cga"], "called like its rules")
+	list.get_root().get_child(-1).select(0)
+	check_equal(_tab.get_attributes().lot_type, added, "its attributes are shown when it is chosen")
+	_tab.get_node("%LandUse").call("give_rules", added, load("res://rules/cga/plaza.cga"))
+	await frames(2)
+	check_equal(list.get_root().get_child(-1).get_text(2), "plaza.cga", "other rules")
+	check_equal(_tab.get_attributes().lot_type, added, "it is still the chosen one")
+	(_tab.get_node("%RemoveType") as Button).pressed.emit()
+	await frames(2)
+	check_equal(city.lot_types, types, "gone")
+	check(_tab.get_attributes().lot_type == null, "and its attributes")
+	await undo(city)
+	await undo(city)
+	check_equal([city.lot_types[-1], added.rules.get_file()], [added, "res://rules/cga/town_hall.cga"], "back, with its first rules")
+	await undo(city)
+	check_equal(city.lot_types, types, "and as in the beginning")
+
+
+func test_a_weight_is_set_in_the_list_and_undone() -> void:
+	var city: PCGCity = await _add_small_city()
+	var item: TreeItem = (_tab.get_node("%Types") as Tree).get_root().get_child(0)
+	var before: float = city.lot_types[0].weight
+	(_tab.get_node("%Types") as Tree).set_selected(item, 1)
+	item.set_range(1, before + 5.0)
+	_tab.get_node("%LandUse").call("set_weight", item)
+	await frames(2)
+	check_equal(city.lot_types[0].weight, before + 5.0, "set")
+	await undo(city)
+	check_equal(city.lot_types[0].weight, before, "undone")
+	check_equal((_tab.get_node("%Types") as Tree).get_root().get_child(0).get_range(1), before, "and shown so")
+
+
 func test_problems_of_the_scene_are_listed_and_lead_to_their_place() -> void:
 	var city: PCGCity = await _add_small_city()
 	write("res://typed/wrong.cga", "@StartRule\nLot -->\n\textrud(3)\n")

@@ -64,9 +64,42 @@ func test_drawn_shares_add_up_to_all_households() -> void:
 	var drawn: Dictionary[int, int] = _dock.population_tab.count_drawn()
 	var sum: int = drawn.values().reduce(func(total: int, count: int) -> int: return total + count, 0)
 	check_equal(sum, _citizens.get_statistics()["households"], "each household counts once")
-	var shares: Tree = _dock.population_tab.get_node("%Shares")
+	var shares: Tree = await _show_shares()
 	check_equal(shares.get_root().get_child_count(), 3, "a row for each kind of household")
 	check(shares.get_root().get_child(0).get_text(1).begins_with("40.0"), "the table's share: %s" % shares.get_root().get_child(0).get_text(1))
+
+
+func _show_shares() -> Tree:
+	(_dock.get_parent() as EditorDock).make_visible()
+	_dock.show_page(1)
+	(_dock.population_tab.get_node("%Pages") as TabContainer).current_tab = 1
+	await frames(2)
+	return _dock.population_tab.get_node("%Shares")
+
+
+func _texts(tree: Tree, column: int) -> Array:
+	return tree.get_root().get_children().map(func(item: TreeItem) -> String: return item.get_text(column))
+
+
+func test_shares_are_a_preview_until_people_are_drawn_by_them() -> void:
+	var shares: Tree = await _show_shares()
+	check_equal(shares.get_column_title(2), "Drawn", "of those who are there")
+	var undo_redo: EditorUndoRedoManager = EditorInterface.get_editor_undo_redo()
+	undo_redo.create_action("Set the seed", UndoRedo.MERGE_DISABLE, _citizens)
+	undo_redo.add_do_property(_citizens, &"seed", 7)
+	undo_redo.add_undo_property(_citizens, &"seed", _citizens.seed)
+	undo_redo.commit_action()
+	await frames(2)
+	check_equal(shares.get_column_title(2), "Preview", "other settings draw others")
+	var preview: Array = _texts(shares, 2)
+	_dock.population_tab.generate()
+	await frames(2)
+	check_equal([shares.get_column_title(2), _texts(shares, 2)], ["Drawn", preview], "who are those of the preview")
+	await undo(_citizens)
+	await undo(_citizens)
+	check_equal(shares.get_column_title(2), "Drawn", "undone: those who are there are drawn by the settings again")
+	await undo(_citizens)
+	check_equal(shares.get_column_title(2), "Preview", "nobody is there: what would be drawn")
 
 
 func test_a_person_is_inspected_down_to_the_line_of_a_rule() -> void:

@@ -52,7 +52,7 @@ func test_an_error_is_marked_a_second_after_the_last_key_and_goes_when_mended() 
 func test_a_file_with_errors_opens_and_its_list_leads_to_the_place() -> void:
 	var edit: RuleEdit = await _open("@StartRule\nLot -->\n\textrude(3\n", "broken.cga")
 	var shown: Array[Dictionary] = (_dock.get_node("%Problems") as Node).call("get_shown")
-	check(not shown.is_empty(), "its errors are listed")
+	check(not shown.is_empty() and shown[0]["severity"] == "error", "its errors are listed, before warnings: %s" % [shown])
 	(_dock.get_node("%Problems") as Node).emit_signal("problem_activated", shown[0])
 	check_equal(edit.get_caret_line(), int(shown[0]["line"]) - 1, "the caret stands there")
 

@@ -134,6 +134,10 @@ func test_a_household_table_tells_shares_and_refuses_bad_rows() -> void:
 	for household: Dictionary in table.get_households():
 		sum += household["share"]
 	check_near(sum, 1.0, 1e-9, "shares add up")
+	var preview: PackedInt32Array = table.preview_households(600)
+	check_equal(preview.size(), table.get_households().size(), "a preview has a figure for each row")
+	check(Array(preview).max() > 40 and preview == table.preview_households(600, 1), "and is the same each time: %s" % [preview])
+	check_equal(Array(table.preview_households(-1)).max(), 0, "nobody is nobody")
 	var wrong: PCGHouseholdTable = PCGHouseholdTable.from_file(_write("wrong.csv", "descriptor,count\none adult,-5\n"))
 	check(wrong.has_errors(), "a negative count is refused")
 	check_equal(wrong.get_diagnostics()[0]["line"], 2, "the row is named")

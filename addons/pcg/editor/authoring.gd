@@ -73,7 +73,7 @@ func close() -> void:
 	gizmos.clear()
 	for holder: EditorDock in _docks:
 		plugin.remove_dock(holder)
-		holder.queue_free()
+		holder.free() # at once: what a city tells later must not reach pages whose context is gone
 	_docks.clear()
 
 

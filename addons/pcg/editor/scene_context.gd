@@ -28,6 +28,7 @@ func open(of: EditorPlugin) -> void:
 	EditorInterface.get_selection().selection_changed.connect(refresh)
 	get_tree().node_added.connect(_on_node_changed)
 	get_tree().node_removed.connect(_on_node_changed)
+	refresh() # a scene may be open already when the addon is switched on
 
 
 # The scene's own viewport is not the one that people are seen in.

@@ -57,6 +57,17 @@ public:
 		return std::move(_population);
 	}
 
+	std::vector<uint32_t> count_by_row() {
+		std::vector<uint32_t> counts(_table.patterns.size());
+		uint64_t persons = 0;
+		for (uint64_t number = 0; !_patterns.is_empty() && !is_done(number, persons); ++number) {
+			const Draw draw = draw_household(number, persons);
+			persons += draw.members.size();
+			++counts[draw.pattern];
+		}
+		return counts;
+	}
+
 private:
 	// False: cancelled.
 	bool report_progress(uint64_t households, uint64_t persons) const {
@@ -185,6 +196,10 @@ private:
 
 Population generate_population(const HouseholdTable &table, const CityModel &city, const PopulationOptions &options, Diagnostics &diagnostics) {
 	return Generator(table, city, options).run(diagnostics);
+}
+
+std::vector<uint32_t> preview_households(const HouseholdTable &table, const PopulationOptions &options) {
+	return Generator(table, CityModel(), options).count_by_row();
 }
 
 } // namespace pcg

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "core/base/diagnostic.h"
 #include "core/base/parallel.h"
@@ -25,5 +26,8 @@ struct PopulationOptions {
 // household depends on (seed, n) only. Whatever finds no home is left out, with a warning that tells both figures; that may be everybody. At least one
 // member of every household is 18 or over.
 Population generate_population(const HouseholdTable &table, const CityModel &city, const PopulationOptions &options, Diagnostics &diagnostics);
+
+// How many households of each row of the table the same draw gives while homes have room for all of them. All 0 for a table in which none occurs.
+std::vector<uint32_t> preview_households(const HouseholdTable &table, const PopulationOptions &options);
 
 } // namespace pcg

@@ -1,17 +1,27 @@
 #include "godot/resources/pcg_household_table.h"
 
+#include <algorithm>
+
 #include <godot_cpp/core/class_db.hpp>
 
 #include "core/io/household_csv.h"
+#include "core/population/population_generator.h"
 #include "godot/convert.h"
 
 using namespace godot;
 
 namespace pcg {
 
+namespace {
+
+constexpr int64_t max_previewed = 1'000'000; // persons: half a second
+
+} // namespace
+
 void PCGHouseholdTable::_bind_methods() {
 	ClassDB::bind_static_method("PCGHouseholdTable", D_METHOD("from_file", "path"), &PCGHouseholdTable::from_file);
 	ClassDB::bind_method(D_METHOD("get_households"), &PCGHouseholdTable::get_households);
+	ClassDB::bind_method(D_METHOD("preview_households", "persons", "seed"), &PCGHouseholdTable::preview_households, DEFVAL(1));
 }
 
 Ref<PCGHouseholdTable> PCGHouseholdTable::from_file(const String &p_path) {
@@ -41,6 +51,17 @@ TypedArray<Dictionary> PCGHouseholdTable::get_households() const {
 		entry["count"] = pattern.weight;
 		entry["share"] = sum > 0.0 ? pattern.weight / sum : 0.0;
 		result.push_back(entry);
+	}
+	return result;
+}
+
+PackedInt32Array PCGHouseholdTable::preview_households(int64_t p_persons, int64_t p_seed) const {
+	PopulationOptions options;
+	options.persons = uint32_t(std::clamp<int64_t>(p_persons, 0, max_previewed));
+	options.seed = uint64_t(p_seed);
+	PackedInt32Array result;
+	for (const uint32_t count : pcg::preview_households(_table, options)) {
+		result.push_back(int32_t(count));
 	}
 	return result;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <godot_cpp/classes/ref.hpp>
+#include <godot_cpp/variant/packed_int32_array.hpp>
 
 #include "core/population/household_pattern.h"
 #include "godot/resources/pcg_text_file.h"
@@ -14,6 +15,7 @@ class PCGHouseholdTable : public PCGTextFile {
 public:
 	static godot::Ref<PCGHouseholdTable> from_file(const godot::String &p_path);
 	godot::TypedArray<godot::Dictionary> get_households() const;
+	godot::PackedInt32Array preview_households(int64_t p_persons, int64_t p_seed) const;
 
 	const HouseholdTable &table() const { return _table; }
 

@@ -144,6 +144,23 @@ TEST_CASE("the number of persons asked for is met, and the same seed gives the s
 	CHECK(same < 100);
 }
 
+TEST_CASE("a preview tells the rows of those who are drawn afterwards") {
+	Diagnostics diagnostics;
+	const std::optional<HouseholdTable> table = read_household_table("rules/data/households_us_acs2023.csv", diagnostics);
+	REQUIRE(table.has_value());
+	PopulationOptions options;
+	options.persons = 600;
+	std::vector<uint32_t> drawn(table->patterns.size());
+	for (const Household &household : generate_population(*table, city_of(300, 2000), options, diagnostics).households) {
+		++drawn[household.pattern];
+	}
+	CHECK(preview_households(*table, options) == drawn);
+	options.persons = 0;
+	CHECK(preview_households(*table, options) == std::vector<uint32_t>(table->patterns.size()));
+	options.persons = 10;
+	CHECK(preview_households({}, options).empty());
+}
+
 TEST_CASE("households have hair of all colors but gray") {
 	std::vector<int> drawn(hair_colors().size());
 	Random random(1, 2);

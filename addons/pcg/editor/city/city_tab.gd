@@ -5,6 +5,7 @@ extends VBoxContainer
 const SceneContext := preload("res://addons/pcg/editor/scene_context.gd")
 const CityHistory := preload("res://addons/pcg/editor/city/city_history.gd")
 const CityStarter := preload("res://addons/pcg/editor/city/city_starter.gd")
+const LandUse := preload("res://addons/pcg/editor/city/land_use.gd")
 const RuleAttributes := preload("res://addons/pcg/editor/city/rule_attributes.gd")
 const HIGHEST_SEED := 999_999
 
@@ -18,13 +19,14 @@ var _layout: PCGLayout
 var _shown_city: PCGCity
 
 @onready var _seed: SpinBox = %Seed
-@onready var _types: Tree = %Types
+@onready var _land_use: LandUse = %LandUse
 @onready var _cities: OptionButton = %Cities
 
 
 func open(of: SceneContext) -> void:
 	context = of
 	history = CityHistory.new(context)
+	_land_use.context = context
 	context.changed.connect(refresh)
 	refresh()
 
@@ -38,16 +40,9 @@ func _ready() -> void:
 	(%Dice as Button).pressed.connect(throw_dice)
 	_seed.value_changed.connect(_on_seed_changed)
 	_cities.item_selected.connect(func(index: int) -> void: context.show_city(context.get_cities()[index]))
-	_types.item_selected.connect(func() -> void: show_attributes(_types.get_selected().get_metadata(0)))
-	_types.item_edited.connect(_on_weight_edited)
-	_types.item_activated.connect(_on_type_activated)
+	_land_use.type_chosen.connect(show_attributes)
 	_add_inspector(%Layout, _layout_inspector)
 	_add_inspector(%Attributes, _attribute_inspector)
-	_types.set_column_expand(1, false)
-	for column: int in 3:
-		_types.set_column_title(column, ["Lots", "Weight", "Rules"][column])
-		_types.set_column_title_alignment(column, HORIZONTAL_ALIGNMENT_LEFT)
-		_types.set_column_clip_content(column, true)
 	_take_theme()
 
 
@@ -66,7 +61,6 @@ func _take_theme() -> void:
 	var figures: Tree = %Statistics
 	figures.set_column_expand(1, false)
 	figures.set_column_custom_minimum_width(1, roundi(70.0 * EditorInterface.get_editor_scale()))
-	_types.set_column_custom_minimum_width(1, roundi(84.0 * EditorInterface.get_editor_scale()))
 	(%Dice as Button).icon = get_theme_icon("RandomNumberGenerator", "EditorIcons")
 	(%Generate as Button).icon = get_theme_icon("Reload", "EditorIcons")
 	(%Clear as Button).icon = get_theme_icon("Clear", "EditorIcons")
@@ -90,8 +84,8 @@ func refresh() -> void:
 			_cities.select(_cities.item_count - 1)
 	_cities.visible = _cities.item_count > 1
 	_seed.set_value_no_signal(city.seed)
-	_fill_types()
 	var shown: PCGLotType = _attributes.lot_type if _attributes else null
+	_land_use.refresh()
 	show_attributes(shown if shown in city.lot_types else null)
 	show_statistics()
 	_show_progress(city.is_generating())
@@ -155,42 +149,6 @@ func _on_seed_changed(value: float) -> void:
 	undo.add_do_method(self, &"refresh")
 	undo.add_undo_method(self, &"refresh")
 	undo.commit_action()
-
-
-func _fill_types() -> void:
-	_types.clear()
-	var root: TreeItem = _types.create_item()
-	for type: PCGLotType in context.city.lot_types:
-		if type == null:
-			continue
-		var item: TreeItem = _types.create_item(root)
-		item.set_text(0, type.type)
-		item.set_metadata(0, type)
-		item.set_cell_mode(1, TreeItem.CELL_MODE_RANGE)
-		item.set_range_config(1, 0.0, 1000.0, 0.1)
-		item.set_range(1, type.weight)
-		item.set_editable(1, true)
-		item.set_text(2, type.rules.get_file().get_file() if type.rules else "none")
-		item.set_tooltip_text(2, "%s\nDouble-click to edit." % type.rules.get_file() if type.rules else "Give this type rules in the inspector.")
-		if type.rules and type.rules.has_errors():
-			item.set_icon(2, get_theme_icon("StatusError", "EditorIcons"))
-
-
-func _on_weight_edited() -> void:
-	var item: TreeItem = _types.get_edited()
-	var type: PCGLotType = item.get_metadata(0)
-	var undo: EditorUndoRedoManager = context.get_undo()
-	undo.create_action("Set the weight of %s" % type.type, UndoRedo.MERGE_ENDS, context.city)
-	undo.add_do_property(type, &"weight", item.get_range(1))
-	undo.add_undo_property(type, &"weight", type.weight)
-	undo.add_undo_method(self, &"refresh")
-	undo.commit_action()
-
-
-func _on_type_activated() -> void:
-	var type: PCGLotType = _types.get_selected().get_metadata(0)
-	if type.rules:
-		EditorInterface.edit_resource(type.rules)
 
 
 ## Shows the attributes of a lot type's rules; null shows none.

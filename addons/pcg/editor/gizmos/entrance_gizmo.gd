@@ -5,7 +5,8 @@ extends "res://addons/pcg/editor/gizmos/gizmo_plugin.gd"
 const WIDTH := 1.0 ## metres
 const HEIGHT := 2.1
 const ARROW := 1.5
-const TEXT_SIZE := 0.008 ## metres a pixel
+const TEXT_SIZE := 0.008 ## metres a pixel of the letters
+const TEXT_HEIGHT := 36 ## pixels
 const FOR_NOBODY := Color(1.0, 0.15, 0.1)
 
 var _texts: Dictionary[String, TextMesh] = {}
@@ -41,6 +42,7 @@ func _text(told: String) -> TextMesh:
 	if not _texts.has(told):
 		var mesh := TextMesh.new()
 		mesh.text = told
+		mesh.font_size = TEXT_HEIGHT
 		mesh.pixel_size = TEXT_SIZE
 		mesh.depth = 0.0
 		_texts[told] = mesh

@@ -31,6 +31,11 @@ static func describe(citizens: CitizenManager) -> Dictionary:
 	return settings
 
 
+## Whether people are there, and what they were made of has not changed since.
+func is_made_of_settings(citizens: CitizenManager) -> bool:
+	return citizens.has_person(0) and _made_of.get(citizens.get_instance_id(), describe(citizens)) == describe(citizens)
+
+
 ## Gives citizens these settings, and makes their people; none: lets everybody go.
 func make(citizens: CitizenManager, settings: Dictionary) -> void:
 	_made_of[citizens.get_instance_id()] = settings

@@ -6,6 +6,7 @@ const SceneContext := preload("res://addons/pcg/editor/scene_context.gd")
 const PeopleHistory := preload("res://addons/pcg/editor/people/people_history.gd")
 const PeopleFilter := preload("res://addons/pcg/editor/people/people_filter.gd")
 const LONGEST_LIST := 500 ## rows; who looks for one of ten thousand filters
+const LARGEST_PREVIEW := 100_000 ## persons; shares of more are the same
 
 var context: SceneContext
 var history: PeopleHistory
@@ -21,6 +22,9 @@ func open(of: SceneContext) -> void:
 	context = of
 	history = PeopleHistory.new(context)
 	context.changed.connect(refresh)
+	context.get_undo().history_changed.connect(_show_shares)
+	context.get_undo().version_changed.connect(_show_shares)
+	_shares.visibility_changed.connect(_show_shares)
 	refresh()
 
 
@@ -53,12 +57,12 @@ func _take_theme() -> void:
 	_filter.right_icon = get_theme_icon("Search", "EditorIcons")
 	(%Generate as Button).icon = get_theme_icon("Reload", "EditorIcons")
 	_list.set_column_expand(1, false)
-	_list.set_column_expand_ratio(0, 3)
 	_list.set_column_expand_ratio(2, 4)
-	_list.set_column_custom_minimum_width(1, roundi(3.0 * em))
+	for column: int in 3:
+		_list.set_column_custom_minimum_width(column, roundi([7.5, 3.0, 5.0][column] * em))
 	for column: int in [1, 2]:
 		_shares.set_column_expand(column, false)
-		_shares.set_column_custom_minimum_width(column, roundi(4.5 * em))
+		_shares.set_column_custom_minimum_width(column, roundi(5.0 * em))
 
 
 func refresh() -> void:
@@ -99,7 +103,7 @@ func _show_people() -> void:
 	var figures: Dictionary = context.citizens.get_statistics()
 	(%Told as Label).text = "%d persons, %d households" % [figures["persons"], figures["households"]]
 	fill_list()
-	_fill_shares()
+	_show_shares()
 
 
 ## One person as the list and its filter see them.
@@ -150,6 +154,16 @@ func get_listed() -> Array[int]:
 	return listed
 
 
+## How often Generate would draw each row of the table, by row.
+func preview() -> Dictionary[int, int]:
+	var citizens: CitizenManager = context.citizens
+	var counts: PackedInt32Array = citizens.household_table.preview_households(mini(citizens.person_count, LARGEST_PREVIEW), citizens.seed)
+	var drawn: Dictionary[int, int] = {}
+	for row: int in counts.size():
+		drawn[row] = counts[row]
+	return drawn
+
+
 ## How often each row of the table was drawn, by row.
 func count_drawn() -> Dictionary[int, int]:
 	var drawn: Dictionary[int, int] = {}
@@ -162,17 +176,32 @@ func count_drawn() -> Dictionary[int, int]:
 	return drawn
 
 
+## Whether Generate would draw other people than those who are there.
+func is_preview() -> bool:
+	var citizens: CitizenManager = context.citizens
+	return citizens.population == null and citizens.household_table != null and not history.is_made_of_settings(citizens)
+
+
+# Settings that change, also by undo, change what would be drawn.
+func _show_shares() -> void:
+	if context.citizens and _shares.is_visible_in_tree():
+		_fill_shares()
+
+
 func _fill_shares() -> void:
 	_shares.clear()
 	var root: TreeItem = _shares.create_item()
-	if context.citizens.household_table == null:
+	var citizens: CitizenManager = context.citizens
+	_shares.set_column_title(2, "Preview" if is_preview() else "Drawn")
+	if citizens.household_table == null:
 		return
-	var drawn: Dictionary[int, int] = count_drawn()
-	var total: int = context.citizens.get_statistics()["households"]
-	var rows: Array[Dictionary] = context.citizens.household_table.get_households()
+	var counts: Dictionary[int, int] = preview() if is_preview() else count_drawn()
+	var total: int = counts.values().reduce(func(sum: int, count: int) -> int: return sum + count, 0)
+	var rows: Array[Dictionary] = citizens.household_table.get_households()
 	for row: int in rows.size():
 		var item: TreeItem = _shares.create_item(root)
 		item.set_text(0, rows[row]["descriptor"])
-		item.set_tooltip_text(0, rows[row]["descriptor"])
+		item.set_autowrap_mode(0, TextServer.AUTOWRAP_WORD_SMART)
 		item.set_text(1, "%.1f %%" % (100.0 * float(rows[row]["share"])))
-		item.set_text(2, "%.1f %%" % (100.0 * drawn.get(row, 0) / total) if total > 0 else "")
+		item.set_text(2, "%.1f %%" % (100.0 * counts.get(row, 0) / total) if total > 0 else "")
+		item.set_tooltip_text(2, "%d households" % counts.get(row, 0))

@@ -37,9 +37,6 @@ func open(of: SceneContext) -> void:
 
 
 func _ready() -> void:
-	_list.set_column_expand(0, false)
-	_list.set_column_expand_ratio(1, 3)
-	_list.set_column_expand_ratio(2, 2)
 	for column: int in 3:
 		_list.set_column_title(column, ["Time", "What", "Why"][column])
 		_list.set_column_title_alignment(column, HORIZONTAL_ALIGNMENT_LEFT)
@@ -62,7 +59,9 @@ func _notification(what: int) -> void:
 
 func _take_theme() -> void:
 	(%Pick as Button).icon = get_theme_icon("ToolSelect", "EditorIcons")
-	_list.set_column_custom_minimum_width(0, roundi(124.0 * EditorInterface.get_editor_scale()))
+	for column: int in 3: # a line each in a wide dock, two in a narrow one
+		_list.set_column_expand_ratio(column, [1, 2, 5][column])
+		_list.set_column_custom_minimum_width(column, roundi([70.0, 90.0, 120.0][column] * EditorInterface.get_editor_scale()))
 	_week.custom_minimum_size = Vector2(180.0, 150.0) * EditorInterface.get_editor_scale()
 	for swatch: ColorRect in [%Hair, %Skin, %Clothes]:
 		swatch.custom_minimum_size = Vector2(28.0, 16.0) * EditorInterface.get_editor_scale()
@@ -153,8 +152,9 @@ func _fill_entries() -> void:
 		item.set_text(0, get_time_text(entry))
 		item.set_text(1, "%s %s%s" % [TaskColors.TITLES.get(entry["kind"], entry["kind"]), get_target_text(entry), _some_days_text(entry)])
 		item.set_custom_color(0, TaskColors.of_entry(entry, home).lerp(get_theme_color("font_color", "Editor"), 0.5)) # to be read on light ground, too
-		item.set_text(2, "%s:%d" % [entry.get("rule", ""), entry.get("line", 0)])
+		item.set_text(2, "%s line %d" % [entry.get("rule", ""), entry.get("line", 0)])
 		for column: int in 3:
+			item.set_autowrap_mode(column, TextServer.AUTOWRAP_WORD_SMART)
 			item.set_tooltip_text(column, "%s\nDouble-click to open the rule." % entry["told"])
 		item.set_metadata(0, index)
 	_week.show_week(_entries, home)
@@ -168,7 +168,7 @@ func get_target_text(entry: Dictionary) -> String:
 
 
 static func get_time_text(entry: Dictionary) -> String:
-	return "%s-%s" % [CitizenManager.format_clock(entry["start"]), CitizenManager.format_clock(entry["end"])]
+	return "%s - %s" % [CitizenManager.format_clock(entry["start"]), CitizenManager.format_clock(entry["end"])]
 
 
 static func get_days_text(entry: Dictionary) -> String:
@@ -217,8 +217,9 @@ func _tell_present() -> void:
 		present += " %s %s" % ["to" if told["state"] == "walking" else "in", "home" if place["id"] == told["home"] else context.get_building_text(place["id"])]
 	elif not str(place.get("kind", "")).is_empty():
 		present += " %s %s %d" % ["to" if told["state"] == "walking" else "at", place["type"] if not str(place["type"]).is_empty() else place["kind"], place["id"]]
-	(%Told as Label).text = "%s, a %s of %d, household %d in %s\n%s, walks %.2f m/s\nNow: %s" % [told["name"], _word_for(told), told["age"],
-			told["household"], context.get_building_text(told["home"]), context.get_household_type(told), told["walking_speed"], present]
+	var household_type: String = context.get_household_type(told)
+	(%Told as Label).text = "%s, a %s of %d\nHousehold %d in %s%s\nWalks %.2f m/s\nNow: %s" % [told["name"], _word_for(told), told["age"], told["household"],
+			context.get_building_text(told["home"]), "\n" + household_type if not household_type.is_empty() else "", told["walking_speed"], present]
 	_week.show_lived(recorder.spans, context.citizens.day * WeekTimeline.DAY + context.citizens.time if context.citizens.is_running() else -1.0)
 
 

@@ -68,14 +68,13 @@ static func _append(found: Array[Dictionary], diagnostics: Array[Dictionary], no
 		found.append(diagnostic)
 
 
-# Errors first; the same message reaches a list through rules and through whoever uses them.
+# The same message reaches a list through rules and through whoever uses them.
 static func _without_doubles(found: Array[Dictionary]) -> Array[Dictionary]:
 	var seen: Dictionary[String, bool] = {}
-	var errors: Array[Dictionary] = []
-	var warnings: Array[Dictionary] = []
+	var told: Array[Dictionary] = []
 	for entry: Dictionary in found:
 		var key: String = "%s:%d:%d:%s" % [entry["file"], entry["line"], entry["column"], entry["message"]]
 		if not seen.has(key):
 			seen[key] = true
-			(errors if entry["severity"] == "error" else warnings).append(entry)
-	return errors + warnings
+			told.append(entry)
+	return told

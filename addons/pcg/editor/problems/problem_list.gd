@@ -1,6 +1,6 @@
 @tool
 extends VBoxContainer
-## A list of diagnostics: errors first counted, filtered by severity and by words, each a double click away from its place.
+## A list of diagnostics: counted, filtered by severity and by words, each a double click away from its place.
 
 ## A double click on a diagnostic, or Enter.
 signal problem_activated(diagnostic: Dictionary)
@@ -18,8 +18,8 @@ func _ready() -> void:
 		button.toggled.connect(func(_is_on: bool) -> void: _fill())
 	_filter.text_changed.connect(func(_text: String) -> void: _fill())
 	_list.item_activated.connect(_on_item_activated)
+	_list.set_column_expand(1, false)
 	for column: int in 2:
-		_list.set_column_expand_ratio(column, [5, 2][column])
 		_list.set_column_clip_content(column, true)
 	_take_theme()
 
@@ -33,13 +33,14 @@ func _take_theme() -> void:
 	_errors.icon = get_theme_icon("StatusError", "EditorIcons")
 	_warnings.icon = get_theme_icon("StatusWarning", "EditorIcons")
 	_filter.right_icon = get_theme_icon("Search", "EditorIcons")
-	_list.set_column_custom_minimum_width(1, roundi(60.0 * EditorInterface.get_editor_scale()))
+	_list.set_column_custom_minimum_width(1, roundi(130.0 * EditorInterface.get_editor_scale()))
 	_fill()
 
 
-## Takes dictionaries as [method PCGRuleSet.get_diagnostics] gives them, perhaps with `node`, the node that they are about.
+## Takes dictionaries as [method PCGRuleSet.get_diagnostics] gives them, perhaps with `node`, the node that they are about. Errors stand first.
 func show_diagnostics(diagnostics: Array[Dictionary]) -> void:
-	_diagnostics = diagnostics
+	var is_error := func(entry: Dictionary) -> bool: return entry["severity"] == "error"
+	_diagnostics = diagnostics.filter(is_error) + diagnostics.filter(func(entry: Dictionary) -> bool: return not is_error.call(entry))
 	if is_node_ready():
 		_fill()
 
@@ -67,6 +68,7 @@ func _fill() -> void:
 		var item: TreeItem = _list.create_item(root)
 		item.set_icon(0, get_theme_icon("StatusError" if entry["severity"] == "error" else "StatusWarning", "EditorIcons"))
 		item.set_text(0, entry["message"])
+		item.set_autowrap_mode(0, TextServer.AUTOWRAP_WORD_SMART)
 		item.set_tooltip_text(0, "%s\n%s" % [entry["message"], entry["hint"]])
 		item.set_text(1, _place_text(entry))
 		item.set_tooltip_text(1, entry["file"])
@@ -77,7 +79,7 @@ static func _place_text(entry: Dictionary) -> String:
 	if str(entry["file"]).is_empty():
 		var node: Node = entry.get("node")
 		return str(node.name) if node else ""
-	return "%s:%d:%d" % [str(entry["file"]).get_file(), entry["line"], entry["column"]]
+	return "%s:%d" % [str(entry["file"]).get_file(), entry["line"]]
 
 
 func _on_item_activated() -> void:

@@ -11,6 +11,7 @@ signal regeneration_wanted(path: String)
 
 const RuleEdit := preload("res://addons/pcg/editor/rules/rule_edit.gd")
 const ProblemList := preload("res://addons/pcg/editor/problems/problem_list.gd")
+const NARROW := 700.0 ## pixels at 100 %
 const FIRST_LINES := {
 	"cga": "// What this file builds.\nattr height = 9\n\n@StartRule\nLot -->\n\textrude(height)\n\tMass\n\nMass -->\n\tcolor(\"#d8c7a8\")\n",
 	"pcg": "// What this week is about.\n\n@StartRule\nHousehold -->\n\tmembers { true: stayInside(0h, 24h, home) }\n",
@@ -25,6 +26,7 @@ var _dialog: EditorFileDialog
 @onready var _files: ItemList = %Files
 @onready var _holder: PanelContainer = %Edits
 @onready var _problems: ProblemList = %Problems
+@onready var _main: SplitContainer = %Main
 @onready var _users: Control = %Users
 
 
@@ -35,6 +37,7 @@ func _ready() -> void:
 	(%Close as Button).pressed.connect(close_current)
 	(%Regenerate as Button).pressed.connect(_on_regenerate)
 	(%Dismiss as Button).pressed.connect(_users.hide)
+	_main.resized.connect(_arrange)
 	_files.item_selected.connect(func(index: int) -> void: _show(_edits[index]))
 	_problems.problem_activated.connect(func(entry: Dictionary) -> void: open(entry["file"], entry["line"], entry["column"]))
 	_take_theme()
@@ -52,8 +55,18 @@ func _take_theme() -> void:
 	for entry: Array in [[%New, "New"], [%Open, "Load"], [%Save, "Save"], [%Close, "Close"]]:
 		(entry[0] as Button).icon = get_theme_icon(entry[1], "EditorIcons")
 	(%Side as Control).custom_minimum_size.x = 150.0 * EditorInterface.get_editor_scale()
-	_problems.custom_minimum_size.x = 240.0 * EditorInterface.get_editor_scale()
+	_problems.custom_minimum_size = Vector2(240.0, 90.0) * EditorInterface.get_editor_scale()
 	custom_minimum_size.y = 260.0 * EditorInterface.get_editor_scale()
+
+
+# In a narrow editor messages stand below the text, so that lines stay long enough to be read.
+func _arrange() -> void:
+	_main.vertical = _main.size.x < NARROW * EditorInterface.get_editor_scale()
+
+
+func _show_problems(diagnostics: Array[Dictionary]) -> void:
+	_problems.visible = not diagnostics.is_empty()
+	_problems.show_diagnostics(diagnostics)
 
 
 func _shortcut_input(event: InputEvent) -> void:
@@ -168,7 +181,7 @@ func _show(edit: RuleEdit) -> void:
 	for button: Button in [%Save, %Close]:
 		button.disabled = edit == null
 	_users.hide()
-	_problems.show_diagnostics(edit.rules.get_diagnostics() if edit else ([] as Array[Dictionary]))
+	_show_problems(edit.rules.get_diagnostics() if edit else ([] as Array[Dictionary]))
 	_refresh_names()
 
 
@@ -184,7 +197,7 @@ func _refresh_names() -> void:
 
 func _on_checked(rules: PCGRuleSet, edit: RuleEdit) -> void:
 	if edit == _current:
-		_problems.show_diagnostics(rules.get_diagnostics())
+		_show_problems(rules.get_diagnostics())
 	_refresh_names()
 	rules_checked.emit(edit.path, rules.get_diagnostics())
 
