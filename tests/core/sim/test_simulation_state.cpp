@@ -199,7 +199,7 @@ TEST_CASE("a state of other people, other rules or a larger city is refused with
 	const std::string bytes = simulation.save();
 	const auto message_of = [&](Town &other) {
 		Diagnostics diagnostics;
-		CHECK(!other.simulate().restore(bytes, diagnostics));
+		REQUIRE(!other.simulate().restore(bytes, diagnostics));
 		return diagnostics.list()[0].message;
 	};
 	Town others;
