@@ -103,7 +103,7 @@ public:
 	void take_in_agenda(PersonId id);
 	// Everybody's agenda becomes another one, and so does the program that the rules in them are of: `change` replaces what is in the AgendaSet, for the
 	// same people, and gives that program; `overrides` as given to the generation of the new ones. What anybody does ends, and all go on from where they
-	// are with what the new agendas say now. Groups on the way that the new agendas have, too, walk on. Today's floating tasks can all be taken again.
+	// are with what the new agendas say now. Groups on the way that the new agendas have, too, walk on. Floating tasks that were done today are not done again.
 	void change_agendas(const std::function<std::shared_ptr<const Program>()> &change, std::vector<AttributeOverride> overrides = {});
 	// The game has the person from now on: it leaves its rule, group, seat and building; its body is freed, for the game shows it. It counts as
 	// waiting outdoors. False: it is not there, or was taken already.

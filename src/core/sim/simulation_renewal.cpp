@@ -11,9 +11,61 @@ namespace {
 constexpr uint32_t none = PersonRecord::none;
 constexpr uint32_t not_asked = none - 1;
 
+// A floating task that somebody has taken from today's pool.
+struct TakenTask {
+	PersonId person = PersonId::Invalid;
+	RuleId rule = RuleId::Invalid; // of the old program
+	int32_t duration_ms = 0;
+};
+
+// But for those that are being done, which a renewal breaks off. `running`: the rule of somebody's.
+std::vector<TakenTask> find_taken(const AgendaSet &agendas, std::span<const int32_t> taken, int32_t day, const std::function<RuleId(PersonId)> &running) {
+	std::vector<TakenTask> result;
+	for (uint32_t i = 0; i < agendas.person_count(); ++i) {
+		RuleId broken_off = running(PersonId(i));
+		for (uint32_t task = agendas.first_floating_task[i]; task < agendas.first_floating_task[i + 1]; ++task) {
+			const FloatingTask &floating = agendas.floating_tasks[task];
+			if (taken[task] == day && floating.rule == broken_off) {
+				broken_off = RuleId::Invalid; // others of that rule were done
+			} else if (taken[task] == day) {
+				result.push_back({ PersonId(i), floating.rule, floating.duration_ms });
+			}
+		}
+	}
+	return result;
+}
+
+// The same tasks, by the names of their rules, out of the new pools.
+void take_again(std::span<const TakenTask> tasks, const Program &old, const AgendaSet &agendas, const Program &program, int32_t day,
+		std::span<int32_t> taken) {
+	std::vector<RuleId> names; // by rule of the old program
+	for (const RuleInfo &rule : old.rules) {
+		names.push_back(program.find_rule(rule.name));
+	}
+	for (const TakenTask &task : tasks) {
+		if (index_of(task.rule) >= names.size()) {
+			continue; // the old program did not have it either
+		}
+		const uint32_t end = agendas.first_floating_task[index_of(task.person) + 1];
+		for (uint32_t i = agendas.first_floating_task[index_of(task.person)]; i < end; ++i) {
+			const FloatingTask &floating = agendas.floating_tasks[i];
+			if (taken[i] != day && floating.rule == names[index_of(task.rule)] && floating.duration_ms == task.duration_ms) {
+				taken[i] = day;
+				break;
+			}
+		}
+	}
+}
+
 } // namespace
 
 void Simulation::change_agendas(const std::function<std::shared_ptr<const Program>()> &change, std::vector<AttributeOverride> overrides) {
+	const std::shared_ptr<const Program> old = _program;
+	const int32_t today = int32_t(_now.day());
+	const std::vector<TakenTask> taken = find_taken(_agendas, _floating_taken, today, [this](PersonId id) {
+		const bool runs = index_of(id) < _persons.size() && record(id).behavior != none && record(id).entry_kind == TaskKind::FloatingSlot;
+		return runs ? _behaviors[record(id).behavior]->rule() : RuleId::Invalid;
+	});
 	std::vector<PersonId> living;
 	for (size_t i = 0; _has_started && i < _persons.size(); ++i) {
 		if (const PersonId id = PersonId(uint32_t(i)); is_living(id)) {
@@ -27,14 +79,12 @@ void Simulation::change_agendas(const std::function<std::shared_ptr<const Progra
 	_program = change();
 	_settings.overrides = std::move(overrides);
 	_floating_taken.assign(_agendas.floating_tasks.size(), never_taken);
+	if (old && _program) {
+		take_again(taken, *old, _agendas, *_program, today, _floating_taken);
+	}
 	_city_revision = _city.revision() - 1; // what rules know of the city is made for their program
 	take_in_city_edits();
 	keep_parties(living);
-	for (const PersonId id : living) {
-		if (!record(id).is_in_group()) {
-			record(id).entry_end = _now; // nobody has begun anything as yet
-		}
-	}
 	for (const PersonId id : living) {
 		if (record(id).entry_end <= _now && !record(id).is_in_group()) {
 			begin_entry(id, true);
@@ -90,6 +140,7 @@ void Simulation::keep_parties(std::span<const PersonId> living) {
 			person.entry_end = entry.end;
 			person.entry_task = entry.task;
 		}
+		person.entry_end = person.is_in_group() ? person.entry_end : _now; // none of the others has begun anything as yet
 	}
 }
 

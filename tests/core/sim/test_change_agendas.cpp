@@ -211,3 +211,44 @@ TEST_CASE("nobody is late because agendas were renewed") {
 	simulation.advance_to(moment(1, 9));
 	CHECK(simulation.statistics().late_arrivals == 2);
 }
+
+TEST_CASE("floating tasks that were done today are not done again after a renewal, but for the one that it breaks off") {
+	Town town;
+	const BuildingId home = town.building("house", 0.0f);
+	town.household(home);
+	const PersonId ana = town.person(), ben = town.person();
+	town.rules("Call Swim Read Call --> wait(10m) Swim --> wait(20m) Read --> wait(30m)");
+	for (const PersonId id : { ana, ben }) {
+		town.task(id, TaskKind::FloatingSlot, at(8), at(20), 0xFFFFFFFF);
+	}
+	town.floating(ana, at(0, 10), "Call", 3.0f);
+	town.floating(ana, at(0, 10), "Call", 3.0f); // twice
+	town.floating(ana, at(0, 20), "Swim", 2.0f);
+	town.floating(ana, at(0, 30), "Read", 1.0f);
+	Simulation &simulation = town.simulate();
+	Recorder recorder;
+	simulation.add_observer(recorder);
+	simulation.start(moment(0, 6));
+	simulation.advance_to(moment(0, 8, 30)); // two calls, and half of the swimming
+	simulation.change_agendas([&] {
+		town.rules("Read Call Swim Extra Extra --> wait(1m) Call --> wait(10m) Swim --> wait(20m) Read --> wait(30m)"); // other numbers
+		town.floating_tasks.assign(2, {});
+		town.floating(ben, at(0, 10), "Call", 3.0f);
+		town.floating(ana, at(0, 30), "Read", 1.0f);
+		town.floating(ana, at(0, 15), "Call", 3.0f); // not the same one
+		town.floating(ana, at(0, 10), "Call", 3.0f);
+		town.floating(ana, at(0, 10), "Call", 3.0f);
+		town.floating(ana, at(0, 20), "Swim", 2.0f);
+		town.write_agendas();
+		return town.program;
+	});
+	recorder.lines.clear();
+	simulation.advance_to(moment(0, 19));
+	CHECK(recorder.has("08:40:00 1 rule-ended"));
+	CHECK(recorder.of(ana) == Lines{ "08:40:00 0 rule-ended", "08:40:00 0 floating-task-started", "09:00:00 0 rule-ended", "09:00:00 0 floating-task-started",
+									 "09:30:00 0 rule-ended" });
+	recorder.lines.clear();
+	simulation.advance_to(moment(1, 19));
+	CHECK(std::count_if(recorder.lines.begin(), recorder.lines.end(),
+				  [](const std::string &line) { return line.find(" 0 floating-task-started") != std::string::npos; }) == 5); // a new day
+}
