@@ -245,3 +245,82 @@ func test_freeing_the_node_in_the_middle_of_a_step_or_a_signal_does_not_crash() 
 	_citizens.stop()
 	check(_citizens.start(), "it is only queued")
 	await get_tree().process_frame
+
+
+func test_days_out_of_range_are_refused() -> void:
+	_begin(8.0)
+	expect_message("days are -1000000 to 1000000")
+	for day: int in [1000001, -1000001, 4294967296]:
+		_citizens.jump_to(day, 12.0 * HOUR)
+	_citizens.day = 9223372036854775807
+	check_equal(_citizens.day, 0, "the day is as it was")
+	check_equal(_citizens.get_clock_text(), "08:00", "and the time")
+	_citizens.paused = false
+	_citizens.jump_to(-1000000, 8.0 * HOUR)
+	check_equal(_citizens.day, -1000000, "the first one")
+	_citizens.jump_to(1000000, 23.5 * HOUR)
+	_citizens.advance(HOUR)
+	check_equal(_citizens.day, 1000001, "past the last one")
+	check(not _citizens.paused, "the clock runs")
+	expect_message("the clock has passed day 1000000")
+	_citizens.advance(1.0)
+	check(_citizens.paused, "no further")
+	check_equal(_citizens.get_clock_text(), "00:30", "it stands")
+	_citizens.jump_to(0, 8.0 * HOUR)
+	_citizens.advance(60.0)
+	check_equal(_citizens.get_clock_text(), "08:01", "and goes on where it was set back")
+	_check_promises()
+
+
+## Where somebody is who walks for a while yet, 10 m further on; nowhere for others.
+func _spot_ahead_of(person: int) -> Vector3:
+	var told: Dictionary = _citizens.get_person(person)
+	if told["state"] != "walking" or (told["arrival"] - _citizens.time) * told["walking_speed"] < 20.0:
+		return Vector3.INF
+	for node: Node in get_tree().get_nodes_in_group(&"pcg_entrances"):
+		if _city.is_ancestor_of(node) and (node as PCGEntrance).building_id == told["place"]["id"]:
+			var metres := 0.0
+			var way: PackedVector3Array = _city.find_path(told["position"], (node as PCGEntrance).global_position)
+			for i: int in range(1, way.size()):
+				var step: float = way[i - 1].distance_to(way[i])
+				if metres + step > 10.0:
+					return way[i - 1].move_toward(way[i], 10.0 - metres)
+				metres += step
+	return Vector3.INF
+
+
+func test_people_go_round_what_is_put_in_their_way() -> void:
+	_begin(7.4)
+	var person := -1
+	var spot := Vector3.INF
+	for step: int in 500:
+		for one: int in _citizens.get_persons_outside():
+			if spot == Vector3.INF:
+				person = one
+				spot = _spot_ahead_of(one)
+		if spot != Vector3.INF:
+			break
+		_citizens.advance(10.0)
+	check(spot != Vector3.INF, "somebody has a way before it")
+	var saved: PackedByteArray = _citizens.save_state()
+	var monument := PCGObject.new()
+	monument.type = "monument"
+	monument.footprint = Vector2(3, 3)
+	monument.position = spot
+	_city.add_child(monument)
+	for frame: int in 2000:
+		await get_tree().process_frame
+		if not _city.is_updating_navigation():
+			break
+	for is_loaded: bool in [false, true]:
+		if is_loaded:
+			check(_citizens.load_state(saved), "a state from before it was there")
+		var nearest := INF
+		for step: int in 120:
+			_citizens.advance(0.5)
+			nearest = minf(nearest, (_citizens.get_person(person)["position"] as Vector3).distance_to(spot))
+		check(nearest > 1.5, "loaded: %s, it keeps out of the monument: %.2f m" % [is_loaded, nearest])
+		check(nearest < 8.0, "it goes by: %.2f m" % nearest)
+		check(_citizens.get_statistics()["events"]["goal-changed"] > 0, "it was led elsewhere")
+	_citizens.advance(HOUR)
+	_check_promises()

@@ -103,3 +103,27 @@ func test_people_who_are_kept_stay_the_same_and_can_be_edited() -> void:
 	expect_message("people_of_tests.csv")
 	_citizens.population.reload()
 	check(not _citizens.generate_population(), "the file is gone")
+
+
+func test_a_renewal_that_waits_for_midnight_is_forgotten_when_a_state_is_loaded() -> void:
+	_begin(20.0)
+	var renewals: Array[int] = [0]
+	_citizens.agendas_renewed.connect(func() -> void: renewals[0] += 1)
+	check(_citizens.renew_agendas(), "at midnight")
+	check(_citizens.load_state(_citizens.save_state()), "but another life begins")
+	_citizens.advance(6.0 * HOUR)
+	check_equal(renewals[0], 0, "of which nobody asked it")
+	check(_citizens.renew_agendas(), "now somebody does")
+	_citizens.advance(24.0 * HOUR)
+	check_equal(renewals[0], 1, "and it comes")
+
+
+func test_a_state_is_not_loaded_with_rules_in_which_one_number_is_another() -> void:
+	_citizens.rules = CityForTests.make_rules(SCHOOL_RUN, PCGRuleSet.DIALECT_AGENDA)
+	_begin(8.0)
+	var saved: PackedByteArray = _citizens.save_state()
+	_citizens.rules = CityForTests.make_rules(SCHOOL_RUN.replace("wait(10m)", "wait(11m)"), PCGRuleSet.DIALECT_AGENDA)
+	expect_message("the state was saved with other rules")
+	check(not _citizens.load_state(saved), "ten minutes are not eleven")
+	_citizens.rules = CityForTests.make_rules(SCHOOL_RUN, PCGRuleSet.DIALECT_AGENDA)
+	check(_citizens.load_state(saved), "but ten are")

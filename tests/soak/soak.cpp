@@ -1,5 +1,5 @@
 // Lives many days of many people with every promise checked, first undisturbed, then with a game that meddles: it drags benches, takes people over
-// and gives them back, inserts entries, jumps in time, and every day saves everything and goes on from what it loads. See ./dev soak.
+// and gives them back, inserts entries, has all agendas written anew, jumps in time, and every day saves everything and goes on from what it loads. See ./dev soak.
 //
 //   soak DAYS PERSONS SEED
 #include <cstdio>
@@ -36,6 +36,13 @@ struct World {
 	AgendaSet agendas;
 };
 
+void write_agendas(World &world, uint64_t seed, Diagnostics &diagnostics) {
+	AgendaOptions options;
+	options.seed = seed;
+	const StraightLinePaths paths(world.city);
+	world.agendas = generate_agendas(*world.program, world.city, paths, world.population, options, diagnostics);
+}
+
 bool build(World &world, uint32_t persons, uint64_t seed, Diagnostics &diagnostics) {
 	soak::build_city(world.city, seed, persons / 5 + 30);
 	world.program = load_program(rules, pcg_dialect(), diagnostics);
@@ -47,10 +54,7 @@ bool build(World &world, uint32_t persons, uint64_t seed, Diagnostics &diagnosti
 	people.persons = persons;
 	people.seed = seed;
 	world.population = generate_population(*table, world.city, people, diagnostics);
-	AgendaOptions options;
-	options.seed = seed;
-	const StraightLinePaths paths(world.city);
-	world.agendas = generate_agendas(*world.program, world.city, paths, world.population, options, diagnostics);
+	write_agendas(world, seed, diagnostics);
 	return !diagnostics.has_errors();
 }
 
@@ -135,6 +139,11 @@ private:
 					_simulation->jump_to(_simulation->now() - Duration{ int64_t(_random.index(20'000'000)) });
 				}
 				break;
+			case 5:
+				if (_random.chance(0.02)) {
+					renew_agendas();
+				}
+				break;
 			default:
 				break;
 		}
@@ -198,6 +207,15 @@ private:
 				(unsigned long long)figures.trips, (unsigned long long)figures.late_arrivals,
 				(unsigned long long)figures.count(SimEventKind::PatienceRanOut), figures.peak_outside, resident_mb());
 		std::fflush(stdout);
+	}
+
+	// By the same rules: nobody may notice but those who had something inserted, or did what a rule says.
+	void renew_agendas() {
+		Diagnostics diagnostics;
+		_simulation->change_agendas([&] {
+			write_agendas(_world, _settings.seed, diagnostics);
+			return _world.program;
+		});
 	}
 
 	World _world;

@@ -1,11 +1,28 @@
 #include "core/lang/compiler.h"
 
 #include <algorithm>
+#include <bit>
 #include <functional>
 
 #include "core/base/random.h"
 
 namespace pcg {
+
+namespace {
+
+// The same in every run: text by its number in the program.
+uint64_t hash_constant(const Value &value) {
+	const uint64_t type = uint64_t(value.type) << 8 | uint64_t(value.size_kind);
+	switch (value.type) {
+		case ValueType::Void: return type;
+		case ValueType::Number: return derive_seed(type, std::bit_cast<uint64_t>(value.number));
+		case ValueType::Bool: return derive_seed(type, value.boolean);
+		case ValueType::Text: return derive_seed(type, value.text->symbol);
+		default: return derive_seed(type, value.index);
+	}
+}
+
+} // namespace
 
 std::shared_ptr<const Program> compile(const RuleSet &set, const Dialect &dialect, Diagnostics &diagnostics) {
 	return Compiler(set, dialect, diagnostics).run();
@@ -249,6 +266,9 @@ void Compiler::finish() {
 	}
 	for (const Text &text : _program->texts) {
 		fingerprint = fingerprint * 0x9E3779B97F4A7C15ull ^ hash_text(text.view);
+	}
+	for (const Value &value : _program->constants) {
+		fingerprint = fingerprint * 0x9E3779B97F4A7C15ull ^ hash_constant(value);
 	}
 	_program->fingerprint = fingerprint;
 	if (is_strict() && !_diagnostics.has_errors()) {

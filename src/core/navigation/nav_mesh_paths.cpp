@@ -13,6 +13,9 @@ namespace pcg {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr float sample_step = 0.2f; // metres
+constexpr float slack = 0.3f; // metres between a way and the ground, which is simplified anew where it is baked anew
+constexpr float height_slack = 0.75f; // metres
 // No BuildingId, and not Invalid either, which is an answer.
 constexpr uint32_t not_asked = 0xFFFFFFFE;
 
@@ -181,6 +184,45 @@ bool NavMeshPaths::nearest_walkable(glm::vec3 from, glm::vec3 &point) const {
 	const NavPoint found = _mesh.nearest(from, std::numeric_limits<float>::infinity());
 	point = found.position;
 	return found.is_on_mesh();
+}
+
+void NavMeshPaths::note_new_ground(glm::vec3 min, glm::vec3 max) {
+	++_ground_revision;
+	const auto known = std::find_if(_new_ground.begin(), _new_ground.end(), [&](const NewGround &other) { return other.min == min && other.max == max; });
+	if (known == _new_ground.end()) {
+		_new_ground.push_back({ min, max, _ground_revision });
+	} else {
+		known->revision = _ground_revision;
+	}
+}
+
+bool NavMeshPaths::is_new_since(uint64_t revision, glm::vec3 point) const {
+	return std::any_of(_new_ground.begin(), _new_ground.end(), [&](const NewGround &box) {
+		return box.revision > revision && point.x >= box.min.x && point.x <= box.max.x && point.z >= box.min.z && point.z <= box.max.z;
+	});
+}
+
+bool NavMeshPaths::is_on_ground(glm::vec3 point) const {
+	const NavPoint found = _mesh.nearest(point, height_slack);
+	const glm::vec3 away = found.position - point;
+	return found.is_on_mesh() && std::hypot(away.x, away.z) <= slack;
+}
+
+bool NavMeshPaths::is_walkable(std::span<const glm::vec3> line, uint64_t since) const {
+	const auto is_step = [&](glm::vec3 point) {
+		return glm::distance(point, line.front()) <= _reach || glm::distance(point, line.back()) <= _reach;
+	};
+	for (size_t i = 1; i < line.size(); ++i) {
+		const glm::vec3 way = line[i] - line[i - 1];
+		const int steps = std::max(1, int(glm::length(way) / sample_step));
+		for (int step = 0; step < steps; ++step) {
+			const glm::vec3 point = line[i - 1] + way * (float(step) / float(steps));
+			if (is_new_since(since, point) && !is_step(point) && !is_on_ground(point)) {
+				return false;
+			}
+		}
+	}
+	return true;
 }
 
 double NavMeshPaths::measure_zone(PathFinder &finder, const Stop &from, const Zone &zone, double limit, glm::vec3 &entry) const {

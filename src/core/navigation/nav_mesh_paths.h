@@ -22,6 +22,9 @@ public:
 	// constructor too.
 	void prepare();
 
+	// The mesh is another one within that box in plan: to be called before prepare().
+	void note_new_ground(glm::vec3 min, glm::vec3 max);
+
 	// In whole centimetres, and remembered. Every pair of buildings gives the length of the path between the two entrances for which it is shortest.
 	double distance(BuildingId from, BuildingId to) const override;
 	// Exact by distance(); asks it only for candidates that could still be nearer, and remembers the answer.
@@ -31,6 +34,9 @@ public:
 	bool nearest_walkable(glm::vec3 from, glm::vec3 &point) const override;
 	// People enter at the point of the zone nearest to them as the crow flies, where that can be reached, else at its middle or at a corner.
 	ZoneId nearest_zone(TypeId type, glm::vec3 from, glm::vec3 &entry) const override;
+	uint64_t ground_revision() const override { return _ground_revision; }
+	// Looks at the line every `sample_step` within the boxes that changed, but for the steps from and to the mesh at its ends.
+	bool is_walkable(std::span<const glm::vec3> line, uint64_t since) const override;
 
 private:
 	struct Stop {
@@ -46,10 +52,18 @@ private:
 	BuildingId search_nearest(TypeId type, BuildingId from) const;
 	float crow_distance(BuildingId from, BuildingId to) const;
 	double measure_zone(PathFinder &finder, const Stop &from, const Zone &zone, double limit, glm::vec3 &entry) const;
+	bool is_new_since(uint64_t revision, glm::vec3 point) const;
+	bool is_on_ground(glm::vec3 point) const;
 
 	const CityModel &_city;
 	const NavMesh &_mesh;
 	float _reach;
+	struct NewGround {
+		glm::vec3 min{ 0.0f }, max{ 0.0f };
+		uint64_t revision = 0; // that it came with
+	};
+	std::vector<NewGround> _new_ground;
+	uint64_t _ground_revision = 0;
 	std::vector<Stop> _stops; // by EntranceId
 	mutable std::unique_ptr<DistanceCache> _distances;
 	// By type, then building: the answer, or `not_asked`.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -29,6 +31,10 @@ public:
 	virtual bool nearest_walkable(glm::vec3 from, glm::vec3 &point) const = 0;
 	// The zone of the type whose nearest point is closest to walk to, and that point; Invalid if none.
 	virtual ZoneId nearest_zone(TypeId type, glm::vec3 from, glm::vec3 &entry) const = 0;
+	// Grows whenever the ground changes; 0: it is as it was when it was made.
+	virtual uint64_t ground_revision() const { return 0; }
+	// Whether no change of the ground since that revision is in the way of somebody who walks along the line.
+	virtual bool is_walkable(std::span<const glm::vec3> /*line*/, uint64_t /*since*/) const { return true; }
 };
 
 } // namespace pcg

@@ -145,6 +145,7 @@ void InvariantChecker::on_event(const SimEvent &event) {
 			break;
 		case SimEventKind::PatienceRanOut:
 			known.gave_up_waiting = event.time;
+			known.missed_goal = event.place;
 			break;
 		case SimEventKind::EnteredBuilding:
 			if (is_valid(known.inside)) {

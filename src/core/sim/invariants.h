@@ -42,7 +42,8 @@ public:
 
 	uint64_t broken(Promise promise) const { return _broken[size_t(promise)]; }
 	uint64_t broken_total() const;
-	// Walks of children to the goal of a group for which they had waited in vain (PCG language, section 5): no broken promise.
+	// Walks of children to the goal of a group for which they had waited in vain (PCG language, section 5): no broken promise. Those count that are the
+	// first after waiting, under whatever entry: the group's may be over by then.
 	uint64_t children_alone_after_waiting() const { return _excused; }
 	// The first few, in words.
 	const std::vector<std::string> &examples() const { return _examples; }
@@ -69,6 +70,7 @@ private:
 		bool walks_alone = false; // that walk is its own, although it may be in a group by now
 		SimTime goal_changed = long_ago;
 		SimTime gave_up_waiting = long_ago; // for a group
+		Target missed_goal; // of that group, until it sets out for anywhere
 		SimTime without_way = long_ago; // when it was known last that there was none to where it should be
 		SimTime begin; // of the life; it may have set out before
 		bool is_taken = false; // by the game, which may do with it what it likes

@@ -14,6 +14,8 @@ void InvariantChecker::note_walk_begin(const SimEvent &event) {
 	const bool goes_on_alone = known.walks_alone && known.goal_changed == event.time;
 	known.set_out = event.time;
 	known.walks_alone = goes_on_alone || !is_valid(_simulation.view(event.person).leader);
+	_excused += known.walks_alone && event.place == known.missed_goal && is_child(event.person) ? 1 : 0;
+	known.missed_goal = {};
 }
 
 void InvariantChecker::note_child(const LivedSpan &span) {
@@ -25,9 +27,7 @@ void InvariantChecker::note_child(const LivedSpan &span) {
 			span.place != target_of(groups[span.entry.target].goal) || known.set_out < std::max(known.begin, span.entry.start)) {
 		return;
 	}
-	if (known.gave_up_waiting >= span.entry.start || known.without_way >= span.entry.start) {
-		_excused += span.start == known.set_out ? 1 : 0; // a walk may be told in several stretches
-	} else {
+	if (known.gave_up_waiting < span.entry.start && known.without_way < span.entry.start) {
 		complain(Promise::NoChildAlone, span.person, span.start, "walks to the group's goal alone and has not waited for the group");
 	}
 }

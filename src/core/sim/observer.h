@@ -55,7 +55,7 @@ enum class SimEventKind : uint8_t {
 	Unreachable, // no way to `place`, or it is gone
 	NoFreePlace, // all places of the object are taken
 	RuleFailed, // a run-time error, told in Simulation::diagnostics()
-	GoalChanged, // `place`, where the person was or walked to, was moved or removed
+	GoalChanged, // `place`, where the person was or walked to, was moved or removed, or the ground on the way there is another one
 	Added, // a new person came to live here
 	Removed, // it is gone for good
 	TakenOver, // by the game, which moves it from now on

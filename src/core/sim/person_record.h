@@ -56,6 +56,8 @@ struct PersonRecord {
 
 	// Called to a group walk and done with everything else: entries begin only after it.
 	bool is_in_group() const { return party != none; }
+	// With the group to its goal, or with its leader to those who wait for it.
+	bool walks_in_group() const { return is_in_group() && state == PersonState::Walking && (purpose == Purpose::Group || purpose == Purpose::Pickup); }
 	// Neither a group nor a rule leads it: what it does is what its agenda says.
 	bool is_on_its_own() const { return !is_in_group() && behavior == none; }
 	bool is_absent() const { return presence != Presence::Living; }

@@ -13,6 +13,7 @@ Simulation::Simulation(const CityModel &city, const PathProvider &paths, const P
 	  _settings(std::move(settings)), _host(&host) {
 	make_room();
 	_city_revision = city.revision() - 1;
+	_ground_revision = paths.ground_revision();
 	take_in_city_edits();
 }
 
@@ -45,6 +46,9 @@ void Simulation::advance_to(SimTime time) {
 	}
 	if (take_in_city_edits()) {
 		mend_goals();
+	}
+	if (_ground_revision != _paths.ground_revision()) {
+		mend_ways();
 	}
 	for (Due due; _queue.pop_until(time, due);) {
 		run_due(due);

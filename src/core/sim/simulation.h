@@ -92,7 +92,8 @@ public:
 	bool restore(std::string_view bytes, Diagnostics &diagnostics);
 
 	// Changes while it runs (simulation_edits.cpp). Edits of the city need no call: they are seen at the next step. Whoever is at, or on the way
-	// to, what was moved or removed starts the rule or the walk that led there anew; whose building is gone stands before it and goes home.
+	// to, what was moved or removed starts the rule or the walk that led there anew; whose building is gone stands before it and goes home. Where the
+	// ground is another one (PathProvider::ground_revision) walks lead round what was put in their way.
 	//
 	// Takes in the households that were added at the end of the population, with their agendas, groups and floating tasks. They are put where their
 	// agendas want them now. False: the agendas do not reach as far as the population.
@@ -102,7 +103,7 @@ public:
 	void take_in_agenda(PersonId id);
 	// Everybody's agenda becomes another one, and so does the program that the rules in them are of: `change` replaces what is in the AgendaSet, for the
 	// same people, and gives that program; `overrides` as given to the generation of the new ones. What anybody does ends, and all go on from where they
-	// are with what the new agendas say now.
+	// are with what the new agendas say now. Groups on the way that the new agendas have, too, walk on. Floating tasks that were done today are not done again.
 	void change_agendas(const std::function<std::shared_ptr<const Program>()> &change, std::vector<AttributeOverride> overrides = {});
 	// The game has the person from now on: it leaves its rule, group, seat and building; its body is freed, for the game shows it. It counts as
 	// waiting outdoors. False: it is not there, or was taken already.
@@ -195,7 +196,7 @@ private:
 	// simulation_tasks.cpp: entries of the agenda
 	BuildingId home_of(PersonId id) const { return _population.home_of(id); }
 	PlannedEntry entry_of(PersonId id) const;
-	void begin_entry(PersonId id);
+	void begin_entry(PersonId id, bool is_renewed = false);
 	void begin_stay(PersonId id, BuildingId building);
 	void begin_rule(PersonId id, RuleId rule, SimTime end);
 	void begin_slot(PersonId id);
@@ -221,6 +222,7 @@ private:
 	void wait_for_pending(Party &party);
 	void fetch(uint32_t party, PersonId joiner);
 	bool walk_together(Party &party, Target goal, std::span<const glm::vec3> points, Purpose purpose);
+	void follow(const Party &party, uint32_t walk, Target goal, Purpose purpose);
 	void group_walk_ended(PersonId leader, Purpose purpose);
 	void enter_together(Party &party, BuildingId building, glm::vec3 door);
 	void lose_patience(PersonId id);
@@ -232,10 +234,18 @@ private:
 	// simulation_edits.cpp
 	uint16_t find_lived_entry(PersonId id) const;
 	void mend_goals();
+	void mend_ways();
+	void mend_way(PersonId id, uint64_t since);
+	bool is_led(PersonId id) const;
 	bool has_place(const Target &place, const PersonRecord &person, glm::vec3 position) const;
 	void mend_goal(PersonId id);
 	void put_out(PersonId id);
 	void drop_everything(PersonId id);
+
+	// simulation_renewal.cpp
+	uint32_t find_same_group(PersonId id) const;
+	void keep_parties(std::span<const PersonId> living);
+	void forget_unexpected(uint32_t party);
 
 	// simulation_state.cpp
 	bool is_sound(const SavedState &state) const;
@@ -276,6 +286,7 @@ private:
 	bool _is_replaying = false; // during a jump: nobody is told anything
 	Duration _settling; // longer than any walk through this city should take
 	uint64_t _city_revision = 0;
+	uint64_t _ground_revision = 0; // of PathProvider, that walks know
 	EventQueue _queue;
 	DueHeap _replay_queue; // in its place while a household is replayed
 	std::vector<PersonRecord> _persons;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -45,6 +46,47 @@ void Simulation::mend_goals() {
 	}
 }
 
+// The ground is another one than before. Costs time proportional to the population, and to the walks that lead over what changed.
+void Simulation::mend_ways() {
+	const uint64_t since = std::exchange(_ground_revision, _paths.ground_revision());
+	for (uint32_t i = 0; i < _persons.size(); ++i) {
+		const PersonId id = PersonId(i);
+		if (_persons[i].state == PersonState::Walking && !is_led(id)) {
+			mend_way(id, since);
+		} else if (is_stranded(id)) {
+			try_again(id);
+		}
+	}
+}
+
+// Round what is in the way now, to where the walk was going; where no way leads there, what led there begins anew.
+void Simulation::mend_way(PersonId id, uint64_t since) {
+	const Walk &walk = _walks[record(id).walk];
+	rest_of(walk, _now, _way);
+	if (_paths.is_walkable(_way, since)) {
+		return;
+	}
+	const std::vector<glm::vec3> &path = find_way(id, { &walk.points.back(), 1 });
+	if (path.empty()) {
+		mend_goal(id);
+		return;
+	}
+	const PersonRecord before = record(id);
+	const Target goal = before.target();
+	const uint32_t next = _walks.add(path, _now, walk.speed, walk.walkers);
+	emit(id, SimEventKind::GoalChanged, goal);
+	set_out(id, next, goal, before.purpose);
+	schedule(id);
+	if (before.walks_in_group()) {
+		follow(_parties[before.party], next, goal, before.purpose);
+	}
+}
+
+// Whether the person walks as a member of a group that somebody else leads.
+bool Simulation::is_led(PersonId id) const {
+	return record(id).walks_in_group() && _parties[record(id).party].leader != id;
+}
+
 // Whether the place is still where somebody is or comes out.
 bool Simulation::has_place(const Target &place, const PersonRecord &person, glm::vec3 position) const {
 	const auto is_here = [position](glm::vec3 point) { return glm::distance(point, position) <= arm_length; };
@@ -74,24 +116,22 @@ bool Simulation::has_place(const Target &place, const PersonRecord &person, glm:
 void Simulation::mend_goal(PersonId id) {
 	PersonRecord &person = record(id);
 	const Target place = person.target();
-	const bool walks_in_group = person.purpose == Purpose::Group || person.purpose == Purpose::Pickup;
-	if (person.is_in_group() && person.state == PersonState::Walking && walks_in_group) {
-		Party &party = _parties[person.party];
-		if (party.leader == id) { // for all of them
-			emit(id, SimEventKind::GoalChanged, place);
-			stop_walk(id);
-			for (PersonId member : party.collected) {
-				stop_walk(member);
-				show_standing(member);
-				schedule(member);
-			}
-			show_standing(id);
-			lead_on(person.party);
-			schedule(id);
-		}
-		return;
+	if (is_led(id)) {
+		return; // the leader's is everybody's
 	}
 	emit(id, SimEventKind::GoalChanged, place);
+	if (person.walks_in_group()) {
+		stop_walk(id);
+		for (PersonId member : _parties[person.party].collected) {
+			stop_walk(member);
+			show_standing(member);
+			schedule(member);
+		}
+		show_standing(id);
+		lead_on(person.party);
+		schedule(id);
+		return;
+	}
 	if (person.state == PersonState::Walking) {
 		stop_walk(id);
 		show_standing(id);
@@ -179,29 +219,6 @@ void Simulation::take_in_agenda(PersonId id) {
 		begin_entry(id);
 	}
 	schedule(id);
-}
-
-void Simulation::change_agendas(const std::function<std::shared_ptr<const Program>()> &change, std::vector<AttributeOverride> overrides) {
-	std::vector<PersonId> living;
-	for (size_t i = 0; _has_started && i < _persons.size(); ++i) {
-		if (const PersonId id = PersonId(uint32_t(i)); is_living(id)) {
-			drop_everything(id);
-			living.push_back(id);
-		}
-	}
-	_behaviors.clear(); // they run the old program
-	_free_behaviors.clear();
-	_rule_stacks.idle.clear(); // rules of the new one may need larger ones
-	_program = change();
-	_settings.overrides = std::move(overrides);
-	_party_of_group.assign(_agendas.groups.size(), PersonRecord::none);
-	_floating_taken.assign(_agendas.floating_tasks.size(), never_taken);
-	_city_revision = _city.revision() - 1; // what rules know of the city is made for their program
-	take_in_city_edits();
-	for (const PersonId id : living) {
-		begin_entry(id);
-		schedule(id);
-	}
 }
 
 // Where what the person lives is in its new agenda.

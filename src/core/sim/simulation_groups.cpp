@@ -96,7 +96,8 @@ void Simulation::lead_on(uint32_t index) {
 	if (_parties[index].pending.empty()) {
 		Party &party = _parties[index];
 		find_doors(party.goal, _to_points);
-		if (party.collected.empty() || !walk_together(party, target_of(party.goal), _to_points, Purpose::Group)) {
+		const bool is_there = record(leader).state == PersonState::Inside && record(leader).target().building() == party.goal; // all of them
+		if (is_there || party.collected.empty() || !walk_together(party, target_of(party.goal), _to_points, Purpose::Group)) {
 			end_party(index);
 		}
 		return;
@@ -203,12 +204,16 @@ bool Simulation::walk_together(Party &party, Target goal, std::span<const glm::v
 	const uint32_t walk = _walks.add(path, _now, speed, uint32_t(party.collected.size() + 1));
 	set_out(party.leader, walk, goal, purpose);
 	schedule(party.leader);
+	follow(party, walk, goal, purpose);
+	return true;
+}
+
+void Simulation::follow(const Party &party, uint32_t walk, Target goal, Purpose purpose) {
 	for (PersonId member : party.collected) {
 		set_out(member, walk, goal, purpose);
 		record(member).due = never; // the leader arrives for all
 		schedule(member);
 	}
-	return true;
 }
 
 void Simulation::group_walk_ended(PersonId leader, Purpose purpose) {

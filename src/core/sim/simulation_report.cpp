@@ -87,15 +87,7 @@ void Simulation::show_walking(PersonId id) {
 		_host->walk_agent(id, walk.points, walk.speed);
 		return;
 	}
-	const double walked = walk.metres_at(_now);
-	_way.assign(1, point_along(walk.points, walked));
-	double metres = 0.0;
-	for (size_t i = 1; i < walk.points.size(); ++i) {
-		metres += double(glm::distance(walk.points[i - 1], walk.points[i]));
-		if (metres > walked || i + 1 == walk.points.size()) {
-			_way.push_back(walk.points[i]);
-		}
-	}
+	rest_of(walk, _now, _way);
 	_host->walk_agent(id, _way, walk.speed);
 }
 

@@ -125,7 +125,8 @@ void Simulation::take_over_state(SavedState &&state, std::vector<std::unique_ptr
 	for (uint32_t i = 0; i < _parties.size(); ++i) {
 		_party_of_group[_parties[i].group] = i;
 	}
-	_city_revision = _city.revision() - 1; // it may have changed since: looked at with the next step
+	_city_revision = _city.revision() - 1; // it may have changed since, and so may the ground: looked at with the next step
+	_ground_revision = 0;
 	for (uint32_t i = 0; i < _persons.size(); ++i) {
 		take_in_record(PersonId(i));
 	}

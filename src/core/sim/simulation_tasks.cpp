@@ -25,7 +25,8 @@ PlannedEntry Simulation::entry_of(PersonId id) const {
 	return { person.entry_start, person.entry_end, target, person.entry_task, person.entry_kind };
 }
 
-void Simulation::begin_entry(PersonId id) {
+// `is_renewed`: its agenda became another one, maybe in the middle of the entry, for which whoever is inside already is not late.
+void Simulation::begin_entry(PersonId id, bool is_renewed) {
 	PersonRecord &person = record(id);
 	close_span(id);
 	if (person.behavior != PersonRecord::none) {
@@ -36,7 +37,8 @@ void Simulation::begin_entry(PersonId id) {
 	person.entry_end = entry.end;
 	person.entry_task = entry.task;
 	person.entry_kind = entry.kind;
-	person.can_be_late = !entry.is_hole() && entry.kind == TaskKind::StayInside && !entry.is_start_cut;
+	person.can_be_late = !entry.is_hole() && entry.kind == TaskKind::StayInside && !entry.is_start_cut &&
+			(!is_renewed || entry.start == _now || is_outside(id));
 	person.due = person.state == PersonState::Walking ? person.due : never;
 	const BuildingId building = building_of(id, entry);
 	emit(id, SimEventKind::TaskStarted, is_valid(building) ? target_of(building) : Target{});

@@ -71,6 +71,7 @@ void Simulation::forget_everything(SimTime begin) {
 
 void Simulation::place_everybody(SimTime time) {
 	forget_everything(time);
+	_ground_revision = _paths.ground_revision();
 	_is_replaying = true;
 	for (const Household &household : _population.households) {
 		replay_household(household, time);

@@ -37,6 +37,18 @@ double path_length(std::span<const glm::vec3> points) {
 	return sum;
 }
 
+void rest_of(const Walk &walk, SimTime time, std::vector<glm::vec3> &points) {
+	const double walked = walk.metres_at(time);
+	points.assign(1, point_along(walk.points, walked));
+	double metres = 0.0;
+	for (size_t i = 1; i < walk.points.size(); ++i) {
+		metres += double(glm::distance(walk.points[i - 1], walk.points[i]));
+		if (metres > walked || i + 1 == walk.points.size()) {
+			points.push_back(walk.points[i]);
+		}
+	}
+}
+
 uint32_t WalkPool::add(std::span<const glm::vec3> points, SimTime departure, float speed, uint32_t walkers) {
 	uint32_t index = uint32_t(_walks.size());
 	if (_free.empty()) {

@@ -26,6 +26,8 @@ struct Walk {
 // The point `metres` along the path, clamped to its ends; `direction`, if wanted, gets the unit direction there.
 glm::vec3 point_along(std::span<const glm::vec3> points, double metres, glm::vec3 *direction = nullptr);
 double path_length(std::span<const glm::vec3> points);
+// What is left to walk, from where the walkers are at that time. Replaces what `points` held.
+void rest_of(const Walk &walk, SimTime time, std::vector<glm::vec3> &points);
 
 // Walks exist only while somebody walks them; slots and their memory are used again.
 class WalkPool {

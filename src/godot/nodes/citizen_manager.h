@@ -73,7 +73,7 @@ public:
 	bool get_record_lives() const { return _record_lives; }
 
 	// The clock. Before start() it says when life begins; afterwards it is the present, and setting it jumps.
-	void set_day(int p_day);
+	void set_day(int64_t p_day);
 	int get_day() const;
 	void set_time(double p_seconds);
 	double get_time() const;
@@ -90,7 +90,7 @@ public:
 	void stop();
 	bool is_running() const { return _life && _life->simulation; }
 	void advance(double p_seconds);
-	void jump_to(int p_day, double p_seconds);
+	void jump_to(int64_t p_day, double p_seconds);
 
 	// citizen_manager_live.cpp: changes, also while life goes on
 	bool renew_agendas(bool p_at_once);

@@ -61,6 +61,7 @@ bool CitizenManager::load_state(const PackedByteArray &p_bytes) {
 	}
 	_diagnostics = diagnostics;
 	_life = life;
+	_renews_agendas = false; // that was asked for in the life that has ended
 	follow_city();
 	return live([&](Simulation &simulation) {
 		simulation.restore(file->simulation, diagnostics);

@@ -22,6 +22,7 @@ constexpr const char *signal_of_notice[Notice::kind_count] = { "person_left_buil
 	"agent_spawned", "agent_freed" };
 constexpr int64_t remembered_days = 14; // that jumps back find as they were changed
 constexpr double longest_advance = 366.0 * 86400.0; // seconds
+constexpr int64_t last_day = 1'000'000; // and as many before the first
 
 } // namespace
 
@@ -99,6 +100,10 @@ void CitizenManager::advance(double p_seconds) {
 	if (!is_alone("advance")) {
 		return;
 	}
+	if (_life->simulation->now().day() > last_day) {
+		_is_paused = true; // told once, not in every frame
+		ERR_FAIL_MSG("CitizenManager: the clock has passed day 1000000, the last one, and is paused. jump_to() goes back.");
+	}
 	const auto begin = std::chrono::steady_clock::now();
 	const int64_t day_before = _life->simulation->now().day();
 	const double seconds = p_seconds + _owed_seconds;
@@ -123,7 +128,8 @@ void CitizenManager::advance(double p_seconds) {
 	}
 }
 
-void CitizenManager::jump_to(int p_day, double p_seconds) {
+void CitizenManager::jump_to(int64_t p_day, double p_seconds) {
+	ERR_FAIL_COND_MSG(p_day < -last_day || p_day > last_day, "CitizenManager: days are -1000000 to 1000000; 0 is the first Monday.");
 	ERR_FAIL_COND_MSG(!(std::abs(p_seconds) <= longest_advance), "CitizenManager: jump_to() takes seconds of the day.");
 	const SimTime time = SimTime::at(p_day, Duration::seconds(p_seconds));
 	if (!is_alone("jump_to")) {
@@ -146,7 +152,7 @@ void CitizenManager::jump_to(int p_day, double p_seconds) {
 	}
 }
 
-void CitizenManager::set_day(int p_day) {
+void CitizenManager::set_day(int64_t p_day) {
 	if (p_day != get_day()) {
 		jump_to(p_day, get_time());
 	}

@@ -67,6 +67,10 @@ bool CityGround::go_on() {
 		}
 		_joiner.join();
 		_state->ground = std::move(_joined);
+		for (const Baked &baked : _baked) {
+			const Tile &tile = _state->city.layout.tiles[baked.tile];
+			_state->paths->note_new_ground(tile.min, tile.max);
+		}
 		_state->paths->prepare();
 		return true;
 	}

@@ -246,3 +246,33 @@ TEST_CASE("doors off the mesh, on an island and removed are told from those that
 	city.remove_entrance(EntranceId(3));
 	CHECK(reach_of_entrances(city, world.mesh()) == std::vector<Reach>{ Reach::Reachable, Reach::Island, Reach::OffMesh, Reach::Removed });
 }
+
+TEST_CASE("a way that led where people walk can be walked until the ground on it has changed") {
+	GridWorld world(20, 3, 0.0, 1);
+	NavMesh mesh = world.mesh();
+	CityModel city;
+	NavMeshPaths paths(city, mesh);
+	const std::vector<glm::vec3> middle = { { 0.5f, 0, 1.5f }, { 8.0f, 0, 1.5f }, { 19.5f, 0, 1.5f } };
+	const std::vector<glm::vec3> side = { { 0.5f, 0, 0.5f }, { 19.5f, 0, 0.5f } };
+	CHECK(paths.ground_revision() == 0);
+	CHECK(paths.is_walkable(middle, 0));
+	world.set_free(10, 1, false);
+	mesh = world.mesh();
+	paths.note_new_ground({ 10, 0, 0 }, { 15, 0, 3 });
+	paths.prepare();
+	const uint64_t first = paths.ground_revision();
+	CHECK(first > 0);
+	CHECK(!paths.is_walkable(middle, 0));
+	CHECK(paths.is_walkable(middle, first)); // it was known
+	CHECK(paths.is_walkable(side, 0));
+	CHECK(paths.is_walkable(std::vector(middle.begin(), middle.begin() + 2), 0)); // ends before it
+	CHECK(paths.is_walkable(paths.path(middle.front(), middle.back()), 0));
+	paths.note_new_ground({ 0, 0, 0 }, { 5, 0, 3 });
+	CHECK(paths.is_walkable(middle, first)); // not there
+	paths.note_new_ground({ 10, 0, 0 }, { 15, 0, 3 });
+	CHECK(!paths.is_walkable(middle, first));
+	// Doors lie beside the ground: from there and to there people step.
+	paths.note_new_ground({ 10, 0, -5 }, { 15, 0, 3 });
+	CHECK(paths.is_walkable(std::vector<glm::vec3>{ { 12.0f, 0, -1.5f }, { 12.0f, 0, 0.5f }, { 19.5f, 0, 0.5f } }, 0));
+	CHECK(!paths.is_walkable(std::vector<glm::vec3>{ { 12.0f, 0, -3.5f }, { 12.0f, 0, 0.5f }, { 19.5f, 0, 0.5f } }, 0));
+}

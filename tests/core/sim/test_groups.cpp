@@ -216,3 +216,42 @@ TEST_CASE("who waited in vain until its entry was over goes on with the next one
 	CHECK(recorder.has("16:31:40 2 entered-building building 0"));
 	CHECK(recorder.has("16:31:40 1 entered-building building 0"));
 }
+
+TEST_CASE("a child who waited in vain is counted on its next walk to the group's goal, whatever entry that serves") {
+	Town town;
+	const BuildingId home = town.building("house", 0.0f), school = town.building("school", 100.0f), club = town.building("leisure", 50.0f);
+	town.household(home);
+	const PersonId ana = town.person(), leo = town.person(8.0f), mia = town.person(6.0f), ida = town.person(17.0f);
+	town.accompany(ana, { leo, mia, ida }, at(8), at(8, 10), school); // shorter than the children have patience
+	std::erase_if(town.tasks[index_of(ana)], [](const Task &task) { return task.kind == TaskKind::Accompany; }); // Ana never comes
+	town.stay(leo, at(8, 10), at(12), school);
+	town.stay(leo, at(12), at(13), home);
+	town.stay(leo, at(13), at(14), school); // no walk of that group's any more
+	town.stay(mia, at(8, 10), at(12), club);
+	town.stay(mia, at(12), at(13), school);
+	town.stay(ida, at(8, 10), at(12), school);
+	Simulation &simulation = town.simulate();
+	InvariantChecker checker(simulation);
+	simulation.start(moment(0, 6));
+	simulation.advance_to(moment(0, 8, 29));
+	CHECK(checker.children_alone_after_waiting() == 0);
+	simulation.advance_to(moment(0, 20));
+	CHECK(simulation.statistics().count(SimEventKind::PatienceRanOut) == 3);
+	CHECK(checker.children_alone_after_waiting() == 2);
+	CHECK(checker.broken_total() == 0);
+}
+
+TEST_CASE("a group that is at its goal already does not go out to come in again") {
+	Town town;
+	const BuildingId school = town.building("school", 0.0f);
+	town.household(school);
+	const PersonId ana = town.person(), leo = town.person(8.0f);
+	town.accompany(ana, { leo }, at(8), at(9), school);
+	Simulation &simulation = town.simulate();
+	Recorder recorder;
+	simulation.add_observer(recorder);
+	simulation.start(moment(0, 6));
+	simulation.advance_to(moment(0, 20));
+	CHECK(recorder.of(ana).empty());
+	CHECK(recorder.of(leo).empty());
+}

@@ -16,7 +16,7 @@ public:
 	void live() { _simulation.step(Duration{ int64_t(_random.index(120'000)) }); }
 	void meddle() {
 		const size_t what = _random.index(60);
-		what < 5 ? change_city(what) : what < 12 ? change_people(what) : void();
+		what < 5 ? change_city(what) : what < 12 ? change_people(what) : what < 13 ? change_agendas() : void();
 	}
 
 private:
@@ -59,6 +59,13 @@ private:
 				_simulation.release(id);
 				break;
 		}
+	}
+	// By the same rules, now and then without what was inserted since.
+	void change_agendas() {
+		_simulation.change_agendas([&] {
+			_random.chance(0.5) ? _town.write_agendas() : void();
+			return _town.program;
+		});
 	}
 	void insert(PersonId id) {
 		const SimTime start = _simulation.now() + Duration{ int64_t(_random.index(7'200'000)) - 600'000 };

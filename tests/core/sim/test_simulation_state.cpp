@@ -199,7 +199,7 @@ TEST_CASE("a state of other people, other rules or a larger city is refused with
 	const std::string bytes = simulation.save();
 	const auto message_of = [&](Town &other) {
 		Diagnostics diagnostics;
-		CHECK(!other.simulate().restore(bytes, diagnostics));
+		REQUIRE(!other.simulate().restore(bytes, diagnostics));
 		return diagnostics.list()[0].message;
 	};
 	Town others;
@@ -209,6 +209,15 @@ TEST_CASE("a state of other people, other rules or a larger city is refused with
 	fill(ruled, 5);
 	ruled.rules("Park --> wait(1) Errand --> wait(2) Stroll --> wait(3)");
 	CHECK(message_of(ruled).find("other rules") != std::string::npos);
+	for (const char *change : { "wait(rand(0, 91))", "goToZone(\"Park\")" }) { // one number, one letter
+		Town changed;
+		fill(changed, 5);
+		std::string rules = random_rules;
+		const std::string_view was = change[0] == 'w' ? "wait(rand(0, 90))" : "goToZone(\"park\")";
+		rules.replace(rules.find(was), was.size(), change);
+		changed.rules(rules);
+		CHECK(message_of(changed).find("other rules") != std::string::npos);
+	}
 	Town small;
 	small.building("house", 0.0f);
 	small.program = town.program;
