@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -11,27 +10,10 @@
 
 namespace pcg::cga {
 
-namespace {
-
-constexpr double smallest_cap = 1e-12; // twice its area: what is smaller has none
-
-std::vector<glm::dvec2> flattened(std::span<const glm::dvec3> loop, glm::dvec3 normal) {
-	std::vector<glm::dvec2> result;
-	for (const glm::dvec3 &point : loop) {
-		result.push_back(flatten(point, normal));
-	}
-	return result;
-}
-
-bool is_before(glm::dvec3 a, glm::dvec3 b) {
-	return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
-}
-
-} // namespace
-
 const Geometry *Clipper::clip(const Geometry &geometry, const Plane &plane, Arena &arena, Cuts cuts) {
 	_uvs = nullptr;
 	_normal = plane.normal;
+	_has_flush_edges = false;
 	measure(geometry, plane);
 	bool is_whole = false;
 	if (!is_cut(is_whole)) {
@@ -109,14 +91,21 @@ void Clipper::clip_face(const Geometry &geometry, const GeometryFace &face) {
 		return;
 	}
 	const glm::dvec3 normal = face_normal(geometry, face);
-	if (clip_edge(geometry, face) || (face.loop_count == 1 && clip_simple(geometry, face, normal))) {
+	_along = _uvs == nullptr ? glm::cross(_normal, normal) : glm::dvec3(0.0);
+	_is_square = std::abs(glm::dot(_normal, normal)) < 1e-9;
+	_flush_corners.clear();
+	_has_flush_edges |= least == 0.0;
+	if (least < 0.0 && _uvs == nullptr) {
+		collect_flush_corners(geometry, face);
+	}
+	const bool may_be_simple = face.loop_count == 1 && _flush_corners.empty();
+	if (clip_edge(geometry, face) || (may_be_simple && clip_simple(geometry, face, normal))) {
 		return;
 	}
 	_chains.clear();
 	_chain_points.clear();
 	_chain_origins.clear();
 	_whole_holes.clear();
-	_along = _uvs == nullptr ? glm::cross(_normal, normal) : glm::dvec3(0.0);
 	for (uint32_t i = 0; i < face.loop_count; ++i) {
 		collect_chains(geometry, face.first_loop + i, i == 0);
 	}
@@ -277,7 +266,7 @@ void Clipper::emit_outline(uint32_t chain) {
 	}
 	_outline.clear();
 	_outline_origins.clear();
-	size_t start = 0;
+	size_t start = 0, last_cut = 0;
 	bool has_start = false;
 	for (size_t i = 0; i < _order.size(); ++i) {
 		const Chain &piece = _chains[_order[i]];
@@ -290,111 +279,14 @@ void Clipper::emit_outline(uint32_t chain) {
 		if (!_chain_origins.empty()) {
 			_outline_origins.insert(_outline_origins.end(), _chain_origins.begin() + piece.first, _chain_origins.begin() + piece.end);
 		}
-		_cuts.push_back({ _chain_points[piece.end - 1], _chain_points[following.first] });
+		last_cut = _outline.size() - 1;
+		add_cut(piece, following);
 	}
-	const std::ptrdiff_t first = std::ptrdiff_t(has_start ? start : _outline.size() - 1);
+	const std::ptrdiff_t first = std::ptrdiff_t(has_start ? start : last_cut);
 	std::rotate(_outline.begin(), _outline.begin() + first, _outline.end());
 	if (!_outline_origins.empty()) {
 		std::rotate(_outline_origins.begin(), _outline_origins.begin() + first, _outline_origins.end());
 	}
-}
-
-void Clipper::add_holes(const Geometry &geometry, const std::vector<glm::dvec3> &outline, glm::dvec3 normal) {
-	if (_whole_holes.empty()) {
-		return;
-	}
-	const std::vector<glm::dvec2> flat = flattened(outline, normal);
-	for (const uint32_t loop : _whole_holes) {
-		const auto points = geometry.loop(loop);
-		if (!contains(flat, flatten(points[0], normal))) {
-			continue;
-		}
-		_builder.add_loop(geometry, loop);
-	}
-}
-
-// The cuts of all faces run around what the plane cuts out of the volume; reversed they are the outline of the cap, which looks away from the
-// side that stays. A cap begins with the edge that it shares with the first of the faces around it: so a roof that stands on a cut roof knows which
-// of its edges is which. Open bodies are capped as well where their cuts run in circles, such as a roof with overhangs. False if some cuts do not.
-bool Clipper::add_caps(const Plane &plane) {
-	for (uint32_t i = 0; i < _cuts.size(); ++i) {
-		std::swap(_cuts[i].from, _cuts[i].to);
-		_cuts[i].number = i;
-	}
-	std::erase_if(_cuts, [](const Segment &cut) { return cut.from == cut.to; });
-	std::ranges::stable_sort(_cuts, is_before, &Segment::from);
-	_order.resize(_cuts.size());
-	for (uint32_t i = 0; i < _order.size(); ++i) {
-		_order[i] = i;
-	}
-	std::ranges::sort(_order, {}, [&](uint32_t i) { return _cuts[i].number; });
-	std::vector<std::vector<glm::dvec3>> outlines, holes;
-	std::vector<glm::dvec3> loop;
-	double sum = 0.0;
-	bool do_all_close = true;
-	for (const uint32_t first : _order) {
-		if (_cuts[first].is_used) {
-			continue;
-		}
-		const bool does_close = cap_loop(first, loop);
-		do_all_close &= does_close;
-		const double size = does_close ? glm::dot(area_vector(loop), -plane.normal) : 0.0;
-		if (std::abs(size) < smallest_cap) {
-			continue;
-		}
-		(size > 0.0 ? outlines : holes).push_back(loop);
-		sum += size;
-	}
-	if (sum < 0.0) { // a body that was turned inside out: so is its cap
-		std::swap(outlines, holes);
-	}
-	emit_caps(outlines, holes, -plane.normal);
-	return do_all_close;
-}
-
-void Clipper::emit_caps(const std::vector<std::vector<glm::dvec3>> &outlines, const std::vector<std::vector<glm::dvec3>> &holes, glm::dvec3 normal) {
-	for (const auto &outline : outlines) {
-		_builder.add_loop(outline);
-		const std::vector<glm::dvec2> flat = flattened(outline, normal);
-		for (const auto &hole : holes) {
-			if (contains(flat, flatten(hole[0], normal))) {
-				_builder.add_loop(hole);
-			}
-		}
-		_builder.end_face();
-	}
-}
-
-bool Clipper::cap_loop(uint32_t first, std::vector<glm::dvec3> &loop) {
-	loop = { _cuts[first].from };
-	glm::dvec3 at = _cuts[first].to;
-	_cuts[first].is_used = true;
-	while (at != loop[0]) {
-		Segment *next = next_cut(at);
-		if (next == nullptr) {
-			return glm::distance(at, loop[0]) <= _margin;
-		}
-		loop.push_back(at);
-		at = next->to;
-		next->is_used = true;
-	}
-	return true;
-}
-
-// Faces that share an edge are cut in the same place to the bit. At open edges that only lie on each other, rounding keeps the places apart.
-Clipper::Segment *Clipper::next_cut(glm::dvec3 at) {
-	for (auto next = std::ranges::lower_bound(_cuts, at, is_before, &Segment::from); next != _cuts.end() && next->from == at; ++next) {
-		if (!next->is_used) {
-			return &*next;
-		}
-	}
-	for (auto next = std::ranges::lower_bound(_cuts, at.x - _margin, {}, [](const Segment &cut) { return cut.from.x; });
-			next != _cuts.end() && next->from.x <= at.x + _margin; ++next) {
-		if (!next->is_used && glm::distance(next->from, at) <= _margin) {
-			return &*next;
-		}
-	}
-	return nullptr;
 }
 
 } // namespace pcg::cga

@@ -45,6 +45,12 @@ private:
 		uint32_t chain;
 		bool is_enter;
 	};
+	// An end of an edge that lies in the plane with the face above it: a corner of the cut.
+	struct FlushCorner {
+		double at; // on the cut
+		glm::dvec3 point;
+		uint32_t corner;
+	};
 	struct Segment {
 		glm::dvec3 from, to;
 		uint32_t number = 0; // in order of the faces that were cut
@@ -61,6 +67,9 @@ private:
 	void collect_chains(const Geometry &geometry, uint32_t loop, bool is_outline);
 	glm::dvec3 cut_point(const Geometry &geometry, uint32_t a, uint32_t b, CornerOrigin &origin) const;
 	void add_chain_point(glm::dvec3 point, CornerOrigin origin);
+	void collect_flush_corners(const Geometry &geometry, const GeometryFace &face);
+	void add_cut(const Chain &from, const Chain &to);
+	void cancel_opposite_cuts();
 	void pair_chains();
 	void emit_pieces(const Geometry &geometry, const GeometryFace &face, glm::dvec3 normal);
 	void emit_outline(uint32_t chain);
@@ -79,6 +88,9 @@ private:
 	std::vector<Chain> _chains;
 	std::vector<glm::dvec3> _chain_points;
 	std::vector<CornerOrigin> _chain_origins; // of the chain points; empty if corners carry nothing
+	std::vector<FlushCorner> _flush_corners; // of the present face, in order along the cut
+	bool _is_square = false; // the present face, to the plane
+	bool _has_flush_edges = false; // some face has an edge in the plane, or a corner
 	std::vector<Crossing> _crossings;
 	std::vector<uint32_t> _whole_holes; // loops of the face that the cut does not meet
 	std::vector<uint32_t> _order; // chains of one outline, or cuts around caps, in order

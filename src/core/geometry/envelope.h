@@ -18,16 +18,17 @@ struct EnvelopeSide {
 
 struct EnvelopeFace {
 	enum class Kind : uint8_t { Bottom, Wall, Slope, Top } kind = Kind::Bottom;
-	uint32_t edge = 0; // of walls and slopes
+	uint32_t edge = 0; // of walls and slopes; of steps between sides of one line twice the number of edges or more
 	std::vector<std::vector<glm::dvec3>> loops; // counter-clockwise seen from outside, holes the other way
 };
 
 struct Envelope {
 	std::vector<EnvelopeFace> faces; // bottom, walls by edge, slopes by edge, tops
-	bool is_closed = true; // false: the outline crosses itself, or sides of one line end in steps
+	bool is_closed = true; // false: the outline crosses itself
 };
 
-// The polygon lies at z = 0, `sides` has one for each of its edges. Sources: weighted straight skeleton, in stages from one base height to the next.
+// The polygon lies at z = 0, `sides` has one for each of its edges. Source: weighted straight skeleton whose edges begin
+// to move at their base heights.
 Envelope make_envelope(const Loops2 &polygon, const std::vector<EnvelopeSide> &sides, double max_height);
 
 } // namespace pcg

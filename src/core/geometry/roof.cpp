@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "core/geometry/inverted.h"
 #include "core/geometry/roof_planes.h"
 #include "core/geometry/straight_skeleton.h"
 
@@ -235,15 +236,16 @@ RoofFaces hip_planes(const RoofOutline &outline, RoofSlope slope, double overhan
 		const double top = top_of(straight_skeleton(outline, {}, endless));
 		rise = top > 0.0 ? slope.value / top : 0.0;
 	}
-	const double reach = overhang / std::sqrt(1.0 + rise * rise); // horizontal part of the overhang
-	const OutlineWithEdges eaves = reach > 1e-9 ? grow_outline(outline, reach) : OutlineWithEdges{ outline, {} };
+	const double asked = overhang / std::sqrt(1.0 + rise * rise); // horizontal part of the overhang
+	const OutlineWithEdges eaves = asked > 1e-9 ? grow_outline(outline, asked) : OutlineWithEdges{ outline, {} };
+	const double reach = eaves.edges.empty() ? 0.0 : asked;
 	const StraightSkeleton skeleton = straight_skeleton(eaves.loops, {}, endless);
 	is_complete = skeleton.is_complete;
 	RoofFaces faces;
 	for (const SkeletonFace &swept : skeleton.faces) {
 		RoofFace face{ RoofPart::Plane, eaves.edges.empty() ? swept.edge : eaves.edges[swept.edge], {}, {} };
 		for (const SkeletonVertex &vertex : swept.outline) {
-			face.outline.push_back({ vertex.position, (vertex.time - std::max(0.0, reach)) * rise });
+			face.outline.push_back({ vertex.position, (vertex.time - reach) * rise });
 		}
 		faces.push_back(std::move(face));
 	}
@@ -278,63 +280,28 @@ RoofSlope with_angle(const RoofOutline &outline, RoofSlope slope, bool is_even) 
 	return top > 0.0 ? RoofSlope{ glm::degrees(std::atan(slope.value / top)), false } : slope;
 }
 
-struct Inverted {
-	RoofOutline loops;
-	SmallVector<double, 8> speeds;
-	SmallVector<uint32_t, 8> sources; // of each edge
-};
-
-double signed_area(const Loop2 &points) {
-	double twice = 0.0;
-	for (size_t i = 0; i < points.size(); ++i) {
-		const glm::dvec2 a = points[i], b = points[(i + 1) % points.size()];
-		twice += a.x * b.y - b.x * a.y;
-	}
-	return twice / 2.0;
-}
-
-// The outline turned inside out: a hole in a wide frame that itself stands still.
-Inverted invert(const RoofOutline &outline, double distance) {
-	glm::dvec2 low(endless), high(-endless);
-	for (const auto &loop : outline) {
-		for (const glm::dvec2 &point : loop) {
-			low = glm::min(low, point);
-			high = glm::max(high, point);
-		}
-	}
-	// Mitres reach further than the distance; a corner sharper than about 6 degrees is cut by the frame.
-	low -= 20.0 * distance;
-	high += 20.0 * distance;
-	Inverted inverted{ { { low, { high.x, low.y }, high, { low.x, high.y } } }, SmallVector<double, 8>(4, 0.0), SmallVector<uint32_t, 8>(4, 0) };
-	uint32_t first = 0;
-	for (const auto &loop : outline) {
-		const uint32_t count = uint32_t(loop.size());
-		inverted.loops.emplace_back(loop.rbegin(), loop.rend());
-		for (uint32_t i = 0; i < count; ++i) { // reversed edge i runs from point count-1-i to count-2-i
-			inverted.speeds.push_back(1.0);
-			inverted.sources.push_back(first + (2 * count - 2 - i) % count);
-		}
-		first += count;
-	}
-	return inverted;
-}
-
 } // namespace
 
-// The front that grows from the hole is the outline grown.
+// The front that grows from the hole is the outline grown, and its holes shrunk.
 OutlineWithEdges grow_outline(const RoofOutline &outline, double distance) {
+	if (!can_grow(outline)) {
+		return { outline, {} };
+	}
 	const Inverted inverted = invert(outline, distance);
-	StraightSkeleton skeleton = straight_skeleton(inverted.loops, inverted.speeds, distance);
-	// The frame is the largest counter-clockwise loop; the grown outline is the largest clockwise one.
-	std::sort(skeleton.fronts.begin(), skeleton.fronts.end(),
-			[](const SkeletonFront &a, const SkeletonFront &b) { return signed_area(a.points) < signed_area(b.points); });
+	const StraightSkeleton skeleton = straight_skeleton(inverted.loops, inverted.speeds(1.0), distance);
 	OutlineWithEdges grown;
-	for (size_t f = 0; f + 1 < skeleton.fronts.size(); ++f) {
-		const SkeletonFront &front = skeleton.fronts[f];
-		const size_t count = front.points.size();
-		grown.loops.emplace_back(front.points.rbegin(), front.points.rend());
+	SmallVector<const SkeletonFront *, 2> fronts;
+	for (const SkeletonFront &front : skeleton.fronts) {
+		if (!inverted.is_frame(front.edges)) {
+			fronts.push_back(&front);
+		}
+	}
+	std::ranges::stable_sort(fronts, {}, [](const SkeletonFront *front) { return signed_area(front->points); }); // the outline first
+	for (const SkeletonFront *front : fronts) {
+		const size_t count = front->points.size();
+		grown.loops.emplace_back(front->points.rbegin(), front->points.rend());
 		for (size_t i = 0; i < count; ++i) {
-			grown.edges.push_back(inverted.sources[front.edges[(2 * count - 2 - i) % count]]);
+			grown.edges.push_back(inverted.sources[front->edges[(2 * count - 2 - i) % count]]);
 		}
 	}
 	return grown.loops.empty() ? OutlineWithEdges{ outline, {} } : grown;

@@ -60,7 +60,7 @@ Roof roof_shed(const RoofOutline &outline, RoofSlope slope, int edge = 0);
 // Triangles to an apex above the mean of the outline's vertices; an angle is that of the first edge's triangle. Holes are left out.
 Roof roof_pyramid(const RoofOutline &outline, RoofSlope slope);
 
-// The outline moved outwards by `distance` with mitred corners, and for each of its edges the edge that it came from.
+// The outline moved outwards by `distance` with mitred corners, as it was if one is too sharp for that, and for each of its edges the edge that it came from.
 struct OutlineWithEdges {
 	RoofOutline loops;
 	std::vector<uint32_t> edges;

@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/geometry/inverted.h"
 #include "core/geometry/overlay.h"
 #include "core/geometry/polygon.h"
 #include "core/geometry/straight_skeleton.h"
@@ -73,18 +74,6 @@ Loop2 flat(const SkeletonFace &face) {
 		points.push_back(vertex.position);
 	}
 	return points;
-}
-
-// How far a corner moves while the edges move by 1, at most 1000.
-double longest_mitre(const Loop2 &loop) {
-	double longest = 1.0;
-	for (size_t i = 0; i < loop.size(); ++i) {
-		const glm::dvec2 a = loop[i], b = loop[(i + 1) % loop.size()], c = loop[(i + 2) % loop.size()];
-		const double scale = glm::distance(a, b) * glm::distance(b, c);
-		const double cosine = scale > 0.0 ? glm::dot(b - a, c - b) / scale : 1.0;
-		longest = std::max(longest, std::sqrt(2.0 / std::max(1.0 + cosine, 2e-6)));
-	}
-	return longest;
 }
 
 SmallVector<SetbackStrip, 4> strips_of(const StraightSkeleton &skeleton) {
@@ -208,34 +197,6 @@ Loops2 chained_strips(const Setback &setback) {
 	return { outline, back };
 }
 
-// The polygon as a hole in a wide frame that stands still, so that outwards is inwards.
-struct Inverted {
-	Loops2 loops;
-	SmallVector<double, 8> speeds;
-	SmallVector<uint32_t, 8> sources; // edges of the polygon; of the frame's four nothing
-};
-
-Inverted invert(const Loops2 &polygon, double distance) {
-	const double reach = 1.1 * longest_mitre(polygon[0]) * distance;
-	glm::dvec2 low(polygon[0][0]), high(polygon[0][0]);
-	for (const glm::dvec2 &point : polygon[0]) {
-		low = glm::min(low, point - reach);
-		high = glm::max(high, point + reach);
-	}
-	Inverted inverted{ { { low, { high.x, low.y }, high, { low.x, high.y } } }, SmallVector<double, 8>(4, 0.0), SmallVector<uint32_t, 8>(4, UINT32_MAX) };
-	uint32_t first = 0;
-	for (const Loop2 &loop : polygon) {
-		const uint32_t count = uint32_t(loop.size());
-		inverted.loops.emplace_back(loop.rbegin(), loop.rend());
-		for (uint32_t i = 0; i < count; ++i) { // edge i of the reversed loop runs from point count-1-i to count-2-i
-			inverted.sources.push_back(first + (2 * count - 2 - i) % count);
-			inverted.speeds.push_back(distance);
-		}
-		first += count;
-	}
-	return inverted;
-}
-
 SourcedLoop turned_back(const SkeletonFront &front, std::span<const uint32_t> sources) {
 	SourcedLoop loop;
 	const size_t count = front.points.size();
@@ -290,11 +251,11 @@ Setback grow(const Loops2 &polygon, double distance) {
 	if (!(distance > 0.0) || polygon.empty() || polygon[0].empty()) {
 		return unmoved(polygon, true);
 	}
-	if (is_crossing(polygon)) {
+	if (is_crossing(polygon) || !can_grow(polygon)) {
 		return unmoved(polygon, false);
 	}
 	const Inverted inverted = invert(polygon, distance);
-	const StraightSkeleton skeleton = straight_skeleton(inverted.loops, inverted.speeds, 1.0);
+	const StraightSkeleton skeleton = straight_skeleton(inverted.loops, inverted.speeds(distance), 1.0);
 	Setback result;
 	result.strips = strips_of(skeleton);
 	if (!adds_up(result.strips, skeleton, area_of(inverted.loops))) {
@@ -310,7 +271,7 @@ Setback grow(const Loops2 &polygon, double distance) {
 	std::ranges::stable_sort(result.strips, {}, &SetbackStrip::edge);
 	SmallVector<SourcedLoop, 1> loops;
 	for (const SkeletonFront &front : skeleton.fronts) {
-		if (!std::ranges::all_of(front.edges, [](uint32_t edge) { return edge < 4; })) { // not the frame
+		if (!inverted.is_frame(front.edges)) {
 			loops.push_back(turned_back(front, inverted.sources));
 		}
 	}

@@ -21,14 +21,14 @@ struct SetbackStrip {
 struct Setback {
 	SmallVector<SetbackStrip, 4> strips;
 	Polygons2 rest;
-	bool is_complete = true; // false: the outline crosses itself; nothing was moved and `rest` is the polygon as it was
+	bool is_complete = true; // false: the outline crosses itself or is too sharp to grow; nothing was moved and `rest` is the polygon as it was
 	bool is_plain = false; // each strip is an edge, then the side of the rest that it became, back; for joined_strips()
 };
 
 // Moves each edge inwards by its distance >= 0, metres; an edge with 0 stays. Corners move on the bisector of the two moved lines.
 Setback set_back(const Loops2 &polygon, std::span<const double> distances);
 
-// Moves all edges outwards by `distance` > 0 with mitred corners; one sharper than about 0.1 degrees is cut. The strips look the other way, so
+// Moves all edges outwards by `distance` > 0 with mitred corners, none of which may be sharper than about 0.1 degrees. The strips look the other way, so
 // that the grown polygon and they together are the polygon. Wings that meet close to holes.
 Setback grow(const Loops2 &polygon, double distance);
 

@@ -39,4 +39,14 @@ struct StraightSkeleton {
 // `max_time`; infinity sweeps all. Cost grows with the square of the edges for each event, which suits buildings.
 StraightSkeleton straight_skeleton(const Loops2 &loops, std::span<const double> speeds, double max_time);
 
+// An edge that stands still until `start` and then moves inwards at `speed` > 0; from max_time on it never does.
+struct LateEdge {
+	double start = 0.0;
+	double speed = 1.0;
+};
+
+// The same with edges that begin one after the other, and faces that stand upright. SkeletonFace::edge counts 0 .. n-1 what each edge passed standing
+// still, n .. 2n-1 what it swept then, both beginning with the edge, from 2n on upright steps between sides of one line that start apart.
+StraightSkeleton late_skeleton(const Loops2 &loops, std::span<const LateEdge> edges, double max_time);
+
 } // namespace pcg

@@ -13,11 +13,12 @@ namespace {
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
 constexpr double parallel_sine = 1e-9; // below it two edges count as parallel
+constexpr double straight_sine = 1e-7; // below it one goes on where the other ends
 constexpr double never = std::numeric_limits<double>::infinity();
 
 } // namespace
 
-Wavefront::Wavefront(const Loops2 &loops, std::span<const double> speeds) {
+Wavefront::Wavefront(const Loops2 &loops, std::span<const double> speeds, bool with_walls) : _with_walls(with_walls) {
 	glm::dvec2 low(never), high(-never);
 	for (const auto &loop : loops) {
 		for (const glm::dvec2 &point : loop) {
@@ -30,10 +31,9 @@ Wavefront::Wavefront(const Loops2 &loops, std::span<const double> speeds) {
 	for (const auto &loop : loops) {
 		add_loop(loop, speeds);
 	}
-	add_steps();
-	for (Vertex &vertex : _vertices) {
-		set_velocity(vertex);
-		_active.push_back(uint32_t(&vertex - _vertices.data()));
+	for (uint32_t v = 0, count = uint32_t(_vertices.size()); v < count; ++v) {
+		_active.push_back(v);
+		settle(v);
 	}
 	_changes_left = 8 * _vertices.size() + 64;
 }
@@ -53,7 +53,8 @@ void Wavefront::add_loop(const Loop2 &loop, std::span<const double> speeds) {
 		const glm::dvec2 normal(-direction.y, direction.x);
 		const uint32_t source = _edge_count - uint32_t(count - i);
 		const uint32_t edge = uint32_t(_edges.size());
-		_edges.push_back({ direction, normal, glm::dot(normal, a), speeds.empty() ? 1.0 : speeds[source], source });
+		const double speed = speeds.empty() ? 1.0 : speeds[source];
+		_edges.push_back({ direction, normal, glm::dot(normal, a), speed, source, speed > 0.0 || _with_walls ? source : no_source });
 		_nodes.push_back({ a, 0.0 });
 		_vertices.push_back({ edge - 1, edge, 0, 0, uint32_t(_nodes.size()) - 1, a, glm::dvec2(0.0), true });
 	}
@@ -70,25 +71,27 @@ void Wavefront::add_loop(const Loop2 &loop, std::span<const double> speeds) {
 	}
 }
 
-// Between collinear edges of different speed the front opens a step at right angles that itself stands still.
-void Wavefront::add_steps() {
-	for (uint32_t v = 0, count = uint32_t(_vertices.size()); v < count; ++v) {
-		const Edge before = _edges[_vertices[v].before_edge], after = _edges[_vertices[v].after_edge];
-		const bool is_straight = std::abs(cross(before.direction, after.direction)) < 1e-7 && glm::dot(before.direction, after.direction) > 0.0;
-		if (!is_straight || before.speed == after.speed) {
-			continue;
-		}
-		const glm::dvec2 direction = after.speed > before.speed ? before.normal : -before.normal;
-		const glm::dvec2 normal(-direction.y, direction.x);
-		const uint32_t step = uint32_t(_edges.size());
-		_edges.push_back({ direction, normal, glm::dot(normal, _vertices[v].position), 0.0, no_source });
-		const Vertex old = _vertices[v];
-		const uint32_t added = uint32_t(_vertices.size());
-		_vertices.push_back({ step, old.after_edge, 0, 0, old.birth, old.position, glm::dvec2(0.0), true });
-		_vertices[v].after_edge = step;
-		link(added, old.next);
-		link(v, added);
-	}
+bool Wavefront::needs_step(const Vertex &vertex) const {
+	const Edge &before = _edges[vertex.before_edge], &after = _edges[vertex.after_edge];
+	return before.speed != after.speed && std::abs(cross(before.direction, after.direction)) < straight_sine && glm::dot(before.direction, after.direction) > 0.0;
+}
+
+// Between collinear edges of different speed the front opens a step at right angles that itself stands still. Gives the corner behind it.
+uint32_t Wavefront::add_step(uint32_t vertex) {
+	const Vertex corner = _vertices[vertex];
+	const Edge before = _edges[corner.before_edge];
+	const glm::dvec2 direction = _edges[corner.after_edge].speed > before.speed ? before.normal : -before.normal;
+	const glm::dvec2 normal(-direction.y, direction.x);
+	const uint32_t step = uint32_t(_edges.size()), behind = uint32_t(_vertices.size());
+	const uint32_t face = _with_walls ? 2 * _edge_count + _step_count++ : no_source;
+	_edges.push_back({ direction, normal, glm::dot(normal, corner.position), 0.0, no_source, face });
+	_vertices.push_back({ step, corner.after_edge, 0, 0, corner.birth, corner.position, glm::dvec2(0.0), true });
+	_vertices[vertex].after_edge = step;
+	link(vertex, behind);
+	set_velocity(_vertices[vertex]);
+	set_velocity(_vertices[behind]);
+	_active.push_back(behind);
+	return behind;
 }
 
 uint32_t Wavefront::add_node(glm::dvec2 position) {
@@ -101,12 +104,22 @@ uint32_t Wavefront::add_node(glm::dvec2 position) {
 	return uint32_t(_nodes.size()) - 1;
 }
 
-uint32_t Wavefront::add_vertex(uint32_t before_edge, uint32_t after_edge, uint32_t node) {
+void Wavefront::add_vertex(uint32_t previous, uint32_t before_edge, uint32_t after_edge, uint32_t next, uint32_t node) {
 	const uint32_t vertex = uint32_t(_vertices.size());
 	_vertices.push_back({ before_edge, after_edge, vertex, vertex, node, _nodes[node].position, glm::dvec2(0.0), true });
-	set_velocity(_vertices.back());
 	_active.push_back(vertex);
-	return vertex;
+	link(previous, vertex);
+	link(vertex, next);
+	settle(vertex);
+}
+
+// How a linked vertex moves; where its sides lie in one line and move at different speeds a second vertex is put behind it.
+void Wavefront::settle(uint32_t vertex) {
+	set_velocity(_vertices[vertex]);
+	if (needs_step(_vertices[vertex])) {
+		const uint32_t next = _vertices[vertex].next;
+		link(add_step(vertex), next);
+	}
 }
 
 void Wavefront::link(uint32_t a, uint32_t b) {
@@ -117,9 +130,10 @@ void Wavefront::link(uint32_t a, uint32_t b) {
 void Wavefront::set_velocity(Vertex &vertex) const {
 	const Edge &before = _edges[vertex.before_edge], &after = _edges[vertex.after_edge];
 	const double sine = cross(before.direction, after.direction), cosine = glm::dot(before.direction, after.direction);
+	const bool is_needle = std::abs(sine) < 0.01 && cosine < 0.0; // the sum of its normals has few digits left
 	if (std::abs(sine) < parallel_sine && cosine < 0.0) {
 		vertex.velocity = glm::dvec2(0.0); // a fold; it closes at once
-	} else if (before.speed == after.speed) {
+	} else if (before.speed == after.speed && !is_needle) {
 		vertex.velocity = before.speed * (before.normal + after.normal) / (1.0 + cosine);
 	} else if (std::abs(sine) < parallel_sine) {
 		vertex.velocity = before.normal * std::min(before.speed, after.speed);
@@ -136,7 +150,7 @@ bool Wavefront::is_reflex(const Vertex &vertex) const {
 
 bool Wavefront::is_spike(const Vertex &vertex) const {
 	const glm::dvec2 a = _edges[vertex.before_edge].direction, b = _edges[vertex.after_edge].direction;
-	return std::abs(cross(a, b)) < 1e-7 && glm::dot(a, b) < 0.0;
+	return std::abs(cross(a, b)) < straight_sine && glm::dot(a, b) < 0.0;
 }
 
 // Of the side of the front that begins at `vertex`.
@@ -200,7 +214,7 @@ void Wavefront::advance(double time) {
 		_vertices[v].position += _vertices[v].velocity * step;
 	}
 	_time = time;
-	_first_node_now = uint32_t(_nodes.size());
+	_first_node_now = step > 0.0 ? uint32_t(_nodes.size()) : _first_node_now;
 }
 
 bool Wavefront::run(double max_time) {
@@ -220,17 +234,6 @@ bool Wavefront::run(double max_time) {
 			break;
 		}
 	}
-	collect_fronts();
-	return true;
-}
-
-bool Wavefront::clean_up() {
-	while (collapse_one() || fold_one() || split_one()) {
-		remove_dead();
-		if (_changes_left-- == 0 || !has_work_left()) {
-			return false;
-		}
-	}
 	return true;
 }
 
@@ -238,10 +241,6 @@ bool Wavefront::has_work_left() {
 	const auto reflex = std::count_if(_active.begin(), _active.end(), [this](uint32_t v) { return is_reflex(_vertices[v]); });
 	_tests_left -= double(_active.size()) * double(reflex + 1);
 	return _tests_left > 0.0;
-}
-
-void Wavefront::remove_dead() {
-	erase_if(_active, [this](uint32_t v) { return !_vertices[v].is_active; });
 }
 
 void Wavefront::end_vertex(uint32_t vertex, uint32_t node) {
@@ -252,129 +251,60 @@ void Wavefront::end_vertex(uint32_t vertex, uint32_t node) {
 }
 
 void Wavefront::add_border(uint32_t edge, uint32_t from, uint32_t to) {
-	// A side that stands still sweeps nothing.
-	if (from != to && _edges[edge].source != no_source && _edges[edge].speed > 0.0) {
-		_borders.push_back({ _edges[edge].source, from, to });
+	if (from != to && _edges[edge].face != no_source) {
+		_borders.push_back({ _edges[edge].face, from, to });
 	}
 }
 
-bool Wavefront::collapse_one() {
-	for (uint32_t v : _active) {
-		const uint32_t u = _vertices[v].next;
-		// A step between collinear sides begins without length and grows.
-		const bool is_growing_step = _edges[_vertices[v].after_edge].source == no_source && length_rate(v) >= 0.0;
-		if (u != v && (length(v) > 4.0 * _tolerance || is_growing_step)) {
-			continue;
-		}
-		const uint32_t node = add_node(_vertices[v].position);
-		const uint32_t before = _vertices[v].previous, after = _vertices[u].next;
-		end_vertex(v, node);
-		if (u == v) {
-			return true;
-		}
-		end_vertex(u, node);
-		if (after == v) {
-			return true; // the loop had these two only
-		}
-		const uint32_t merged = add_vertex(_vertices[v].before_edge, _vertices[u].after_edge, node);
-		link(before, merged);
-		link(merged, after);
-		return true;
+void Wavefront::set_speeds(std::span<const double> speeds) {
+	SmallVector<bool, 8> is_changing;
+	for (const Edge &edge : _edges) {
+		is_changing.push_back(edge.source != no_source && edge.speed != speeds[edge.source]);
 	}
-	return false;
-}
-
-// Two neighbouring sides that lie on each other, back to back, close to a ridge up to the nearer end.
-bool Wavefront::fold_one() {
-	for (uint32_t v : _active) {
-		const Vertex tip = _vertices[v];
-		if (!is_spike(tip) || tip.previous == v) {
-			continue;
+	SmallVector<uint32_t, 8> corners;
+	for (const uint32_t v : _active) {
+		Vertex &vertex = _vertices[v];
+		if (is_changing[vertex.before_edge] || is_changing[vertex.after_edge]) {
+			const uint32_t node = add_node(vertex.position);
+			add_border(vertex.before_edge, vertex.birth, node);
+			add_border(vertex.after_edge, node, vertex.birth);
+			vertex.birth = node;
+			corners.push_back(v);
 		}
-		const double before_length = length(tip.previous), after_length = length(v);
-		const bool before_is_shorter = before_length <= after_length;
-		const uint32_t other = before_is_shorter ? tip.previous : tip.next;
-		const uint32_t node = add_node(tip.position), other_node = add_node(_vertices[other].position);
-		end_vertex(v, node);
-		add_border(tip.before_edge, node, other_node);
-		add_border(tip.after_edge, other_node, node);
-		end_vertex(other, other_node);
-		const Vertex ended = _vertices[other];
-		if (tip.previous == tip.next) {
-			return true; // the whole loop closed
-		}
-		const uint32_t merged = before_is_shorter ? add_vertex(ended.before_edge, tip.after_edge, other_node)
-												  : add_vertex(tip.before_edge, ended.after_edge, other_node);
-		link(before_is_shorter ? ended.previous : tip.previous, merged);
-		link(merged, before_is_shorter ? tip.next : ended.next);
-		return true;
 	}
-	return false;
-}
-
-bool Wavefront::split_one() {
-	for (uint32_t v : _active) {
-		if (!is_reflex(_vertices[v])) {
-			continue;
-		}
-		for (uint32_t s : _active) {
-			const Vertex &vertex = _vertices[v], &start = _vertices[s];
-			if (start.after_edge == vertex.before_edge || start.after_edge == vertex.after_edge || s == v || start.next == v) {
-				continue;
+	const auto add_sides = [&](bool is_begun) {
+		for (const uint32_t v : corners) {
+			const uint32_t edge = _vertices[v].after_edge, from = _vertices[v].birth, to = _vertices[_vertices[v].next].birth;
+			if (is_changing[edge]) {
+				is_begun ? add_border(edge, from, to) : add_border(edge, to, from);
 			}
-			const Edge &edge = _edges[start.after_edge];
-			const double rate = glm::dot(edge.normal, vertex.velocity) - edge.speed;
-			if (std::abs(gap(vertex, edge)) > 4.0 * _tolerance || rate > -1e-12) {
-				continue;
-			}
-			const double along = glm::dot(vertex.position - start.position, edge.direction);
-			if (along < -4.0 * _tolerance || along > length(s) + 4.0 * _tolerance) {
-				continue;
-			}
-			split(v, s, add_node(vertex.position));
-			return true;
+		}
+	};
+	add_sides(false);
+	for (uint32_t e = 0; e < is_changing.size(); ++e) {
+		if (is_changing[e]) {
+			_edges[e].offset += (_edges[e].speed - speeds[_edges[e].source]) * _time;
+			_edges[e].speed = speeds[_edges[e].source];
+			_edges[e].face += _edge_count;
 		}
 	}
-	return false;
-}
-
-// `vertex` has reached the side that begins at `hit`, within it or at one of its ends.
-void Wavefront::split(uint32_t vertex, uint32_t hit, uint32_t node) {
-	const double near = 10.0 * _tolerance;
-	const uint32_t end = _vertices[hit].next;
-	const glm::dvec2 position = _vertices[vertex].position;
-	if (glm::length(_vertices[hit].position - position) <= near) {
-		swap_links(vertex, hit, node);
-		return;
+	add_sides(true);
+	for (const uint32_t v : corners) {
+		settle(v);
 	}
-	if (glm::length(_vertices[end].position - position) <= near) {
-		swap_links(vertex, end, node);
-		return;
+	_changes_left = 8 * _vertices.size() + 64;
+}
+
+glm::dvec2 Wavefront::in_face(uint32_t face, uint32_t node) const {
+	const bool is_wall = _with_walls && (face < _edge_count || face >= 2 * _edge_count);
+	if (!is_wall) {
+		return _nodes[node].position;
 	}
-	const Vertex ended = _vertices[vertex];
-	const uint32_t side = _vertices[hit].after_edge;
-	end_vertex(vertex, node);
-	const uint32_t first = add_vertex(ended.before_edge, side, node), second = add_vertex(side, ended.after_edge, node);
-	link(ended.previous, first);
-	link(first, end);
-	link(hit, second);
-	link(second, ended.next);
+	const auto edge = std::ranges::find_if(_edges, [&](const Edge &e) { return face < _edge_count ? e.source == face : e.face == face; });
+	return { glm::dot(edge->direction, _nodes[node].position), _nodes[node].time };
 }
 
-// Two vertices meet: each goes on with the side behind the other.
-void Wavefront::swap_links(uint32_t a, uint32_t b, uint32_t node) {
-	const Vertex old_a = _vertices[a], old_b = _vertices[b];
-	end_vertex(a, node);
-	end_vertex(b, node);
-	const uint32_t first = add_vertex(old_a.before_edge, old_b.after_edge, node);
-	const uint32_t second = add_vertex(old_b.before_edge, old_a.after_edge, node);
-	link(old_a.previous, first);
-	link(first, old_b.next);
-	link(old_b.previous, second);
-	link(second, old_a.next);
-}
-
-void Wavefront::collect_fronts() {
+void Wavefront::finish() {
 	SmallVector<bool, 8> is_done(_vertices.size(), false);
 	SmallVector<uint32_t, 8> final_node(_vertices.size());
 	for (uint32_t v : _active) {
@@ -388,8 +318,10 @@ void Wavefront::collect_fronts() {
 			is_done[v] = true;
 			const Edge &edge = _edges[_vertices[v].after_edge];
 			add_border(_vertices[v].after_edge, final_node[_vertices[v].next], final_node[v]);
-			front.points.push_back(_nodes[final_node[v]].position);
-			front.edges.push_back(edge.source);
+			if (final_node[v] != final_node[_vertices[v].next]) { // a step that begins right now has no length
+				front.points.push_back(_nodes[final_node[v]].position);
+				front.edges.push_back(edge.source);
+			}
 		}
 		if (front.points.size() > 2) {
 			_fronts.push_back(std::move(front));

@@ -7,8 +7,11 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/random.h"
+#include "core/cga/edges.h"
 #include "core/cga/primitives.h"
 #include "core/geometry/polygon.h"
+#include "core/geometry/roof.h"
+#include "tests/core/geometry/random_outlines.h"
 
 using namespace pcg;
 using namespace pcg::cga;
@@ -147,4 +150,30 @@ TEST_CASE("a stepped body cut at its step has the tower's own foot as cap") {
 	const Geometry *block = clipper.clip(*body, { { 0, -1, 0 }, -3.0 }, arena);
 	REQUIRE(block != nullptr);
 	CHECK(volume_of(*block) == doctest::Approx(60.0));
+}
+
+TEST_CASE("level cuts of roofs of 45 degrees over whole metres, many of them along a ridge, leave bodies whose faces share all edges") {
+	Clipper clipper;
+	for (uint64_t seed = 0; seed < 200; ++seed) {
+		Arena arena;
+		Random random(seed, 31);
+		const RoofOutline outline = { random.chance(0.5) ? random_stairs(random) : random_comb(random) };
+		GeometryBuilder builder;
+		for (const RoofFace &face : roof_hip(outline, { 45.0 }).faces) {
+			builder.add_loop(face.outline);
+			builder.end_face();
+		}
+		const Geometry *roof = builder.finish(arena, true);
+		CAPTURE(seed);
+		REQUIRE(has_paired_edges(*roof));
+		for (const double height : { 0.5, 1.0, 1.5, 2.0, 3.0 }) {
+			double volume = 0.0;
+			for (const double side : { -1.0, 1.0 }) {
+				const Geometry *part = clipper.clip(*roof, { { 0.0, 0.0, side }, side * height }, arena);
+				CHECK((part == nullptr || has_paired_edges(*part)));
+				volume += part != nullptr ? volume_of(*part) : 0.0;
+			}
+			CHECK(volume == doctest::Approx(volume_of(*roof)));
+		}
+	}
 }

@@ -11,6 +11,7 @@
 #include "core/geometry/envelope.h"
 #include "core/geometry/polygon.h"
 #include "core/geometry/setback.h"
+#include "tests/core/geometry/random_outlines.h"
 
 using namespace pcg;
 
@@ -52,6 +53,25 @@ Loops2 random_star(Random &random) {
 		polygon[0].push_back({ radius * std::cos(angle), radius * std::sin(angle) });
 	}
 	return polygon;
+}
+
+// Sides of faces that no other face has the other way around.
+size_t unpaired_sides(const Envelope &envelope) {
+	std::vector<std::pair<glm::dvec3, glm::dvec3>> unpaired;
+	for (const EnvelopeFace &face : envelope.faces) {
+		for (const auto &loop : face.loops) {
+			for (size_t i = 0; i < loop.size(); ++i) {
+				const glm::dvec3 from = loop[i], to = loop[(i + 1) % loop.size()];
+				const auto back = std::ranges::find(unpaired, std::pair(to, from));
+				if (back == unpaired.end()) {
+					unpaired.emplace_back(from, to);
+				} else {
+					unpaired.erase(back);
+				}
+			}
+		}
+	}
+	return unpaired.size();
 }
 
 } // namespace
@@ -103,21 +123,61 @@ TEST_CASE("where a face ends in the middle of an upright line, the walls beside 
 	std::vector<EnvelopeSide> sides(comb[0].size());
 	sides[0] = sides[2] = sides[6] = { 5.0, 45.0 };
 	const Envelope envelope = make_envelope(comb, sides, 20.0);
-	std::vector<std::pair<glm::dvec3, glm::dvec3>> unpaired;
-	for (const EnvelopeFace &face : envelope.faces) {
-		const auto &loop = face.loops[0];
-		for (size_t i = 0; i < loop.size(); ++i) {
-			const glm::dvec3 from = loop[i], to = loop[(i + 1) % loop.size()];
-			const auto back = std::ranges::find(unpaired, std::pair(to, from));
-			if (back == unpaired.end()) {
-				unpaired.emplace_back(from, to);
-			} else {
-				unpaired.erase(back);
-			}
-		}
-	}
 	CHECK(envelope.faces.size() == 16);
-	CHECK(unpaired.empty());
+	CHECK(unpaired_sides(envelope) == 0);
+}
+
+TEST_CASE("over stairs and combs, where many things happen at one height, all faces fit together") {
+	for (uint64_t seed = 0; seed < 600; ++seed) {
+		Random random(seed, 56);
+		Loops2 polygon = { random_right_angles(random) };
+		std::vector<EnvelopeSide> sides;
+		const bool is_whole = random.chance(0.5);
+		for (size_t i = 0; i < polygon[0].size(); ++i) {
+			sides.push_back({ is_whole ? double(random.index(8)) : random.uniform(0.0, 8.0), random.chance(0.3) ? 90.0 : is_whole ? 45.0 : random.uniform(15.0, 85.0) });
+		}
+		const Envelope envelope = make_envelope(polygon, sides, is_whole ? 4.0 + double(random.index(20)) : random.uniform(4.0, 30.0));
+		CAPTURE(seed);
+		CHECK(envelope.is_closed);
+		CHECK(unpaired_sides(envelope) == 0);
+		CHECK(std::abs(roof_plan(envelope) - area_of(polygon)) < 1e-5 * area_of(polygon));
+	}
+}
+
+TEST_CASE("sides of one line that begin apart end in an upright step") {
+	// The front in two halves, of which the second begins at 1 m: both at 45 degrees up to 3 m, 3 m and 2 m in.
+	const Loops2 lot = { { { 0, 0 }, { 10, 0 }, { 20, 0 }, { 20, 10 }, { 0, 10 } } };
+	std::vector<EnvelopeSide> sides(5);
+	sides[0] = { 0.0, 45.0 };
+	sides[1] = { 1.0, 45.0 };
+	const Envelope envelope = make_envelope(lot, sides, 3.0);
+	CHECK(envelope.is_closed);
+	CHECK(unpaired_sides(envelope) == 0);
+	CHECK(envelope.faces.back().kind == Kind::Top);
+	CHECK(vector_of(envelope.faces.back()).z == doctest::Approx(10.0 * 7.0 + 10.0 * 8.0));
+	// Left, back, right, the half front, and the step: a triangle of 1 by 1, then a strip 1 wide along the slope.
+	const auto step = std::ranges::find_if(envelope.faces, [](const EnvelopeFace &face) { return face.edge >= 10; });
+	REQUIRE(step != envelope.faces.end());
+	CHECK(step->kind == Kind::Wall);
+	CHECK(glm::length(vector_of(*step)) == doctest::Approx(0.5 + 2.0));
+}
+
+TEST_CASE("a plane that rises around a courtyard has it as a hole, unless a straight side of it keeps what lies behind") {
+	const Loop2 square = { { 0, 0 }, { 20, 0 }, { 20, 20 }, { 0, 20 } };
+	const auto slope_over = [&](const Loop2 &courtyard) {
+		std::vector<EnvelopeSide> sides(square.size() + courtyard.size());
+		sides[0] = { 0.0, 45.0 };
+		const Envelope envelope = make_envelope({ square, courtyard }, sides, 10.0);
+		CHECK(envelope.is_closed);
+		CHECK(unpaired_sides(envelope) == 0);
+		return *std::ranges::find(envelope.faces, Kind::Slope, &EnvelopeFace::kind);
+	};
+	const EnvelopeFace around = slope_over({ { 9, 2 }, { 10, 4 }, { 11, 2 } });
+	CHECK(around.loops.size() == 2);
+	CHECK(vector_of(around).z == doctest::Approx(20.0 * 10.0 - 2.0));
+	const EnvelopeFace beside = slope_over({ { 9, 2 }, { 9, 4 }, { 11, 4 }, { 11, 2 } });
+	CHECK(beside.loops.size() == 1);
+	CHECK(vector_of(beside).z == doctest::Approx(20.0 * 10.0 - 2.0 * 8.0));
 }
 
 TEST_CASE("an envelope over nothing or over a crossing outline is empty") {

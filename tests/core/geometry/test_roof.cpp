@@ -5,6 +5,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/random.h"
+#include "core/geometry/inverted.h"
 #include "core/geometry/roof.h"
 
 using namespace pcg;
@@ -182,4 +184,47 @@ TEST_CASE("an outline grows with mitred corners and remembers its edges") {
 		CHECK(glm::dot(glm::normalize(b - a), glm::normalize(q - p)) == doctest::Approx(1.0));
 	}
 	CHECK(twice / 2.0 == doctest::Approx(12.0 * 12.0 - 6.0 * 6.0));
+}
+
+TEST_CASE("roofs hang over the outlines of stars with sharp corners") {
+	size_t tried = 0;
+	for (uint64_t seed = 0; seed < 2000; ++seed) {
+		Random random(seed, 77);
+		std::vector<double> angles(3 + random.index(8));
+		std::ranges::generate(angles, [&] { return random.uniform(0.0, 6.283185307); });
+		std::ranges::sort(angles);
+		Loop2 star;
+		for (const double angle : angles) {
+			star.push_back(random.uniform(5.0, 20.0) * glm::dvec2(std::cos(angle), std::sin(angle)));
+		}
+		if (signed_area(star) < 10.0 || is_self_intersecting(star) || !can_grow({ star })) {
+			continue;
+		}
+		++tried;
+		CAPTURE(seed);
+		const double reach = random.uniform(0.1, 1.0);
+		const Roof roof = roof_hip({ star }, { 45.0 }, reach * std::sqrt(2.0));
+		double plan = 0.0;
+		for (const RoofFace &face : roof.faces) {
+			plan += face.part == RoofPart::Plane ? vector_area(face).z : 0.0;
+		}
+		CHECK(roof.is_complete);
+		CHECK(plan == doctest::Approx(0.5 * signed_area(grow_outline({ star }, reach).loops[0])));
+		CHECK(plan > 0.5 * signed_area(star));
+	}
+	CHECK(tried > 500);
+}
+
+TEST_CASE("where long sides are almost parallel the ridge runs far in no time") {
+	const RoofOutline outline = { { { 5.6240465293841799, -4.8650146101859972 }, { 16.9715136435292, 2.9859939679951362 },
+			{ 15.314564534575984, 10.651725480003547 }, { -7.8465257508978592, -5.3706445856063905 } } };
+	const Roof roof = roof_hip(outline, { 45.0 });
+	CHECK(roof.is_complete);
+	CHECK(count(roof, RoofPart::Plane) == 4);
+	check_closed(roof);
+}
+
+TEST_CASE("an outline with a needle keeps its eaves where they are") {
+	const Roof roof = roof_hip({ { { 0, 0 }, { 100, 0 }, { 100, 0.1 } } }, { 45.0 }, 0.5);
+	CHECK(roof.faces[0].outline[0].z == 0.0);
 }

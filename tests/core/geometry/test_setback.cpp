@@ -11,6 +11,7 @@
 #include "core/geometry/polygon.h"
 #include "core/geometry/setback.h"
 #include "core/geometry/straight_skeleton.h"
+#include "tests/core/geometry/random_outlines.h"
 
 using namespace pcg;
 
@@ -102,6 +103,34 @@ TEST_CASE("strips and what is left are the polygon, whatever the distances") {
 	}
 	CHECK(tried > 500);
 	CHECK(failures == 0);
+}
+
+TEST_CASE("any sides of stairs and combs can be set back, also where one meets another in its line") {
+	for (uint64_t seed = 0; seed < 1500; ++seed) {
+		Random random(seed, 103);
+		const Loops2 polygon = { random_right_angles(random) };
+		const double common = random.chance(0.5) ? 1.0 + double(random.index(8)) : random.uniform(0.1, 9.0);
+		std::vector<double> distances;
+		for (size_t i = 0; i < polygon[0].size(); ++i) {
+			distances.push_back(random.chance(0.4) ? 0.0 : seed % 3 == 0 ? common : seed % 3 == 1 ? 1.0 + double(random.index(6)) : random.uniform(0.1, 6.0));
+		}
+		const Setback result = set_back(polygon, distances);
+		CAPTURE(seed);
+		CHECK(result.is_complete);
+		CHECK(strip_area(result) + rest_area(result) == doctest::Approx(area_of(polygon)));
+	}
+	// The upper side comes down to the lower one's line when the short side between them is gone, and goes on alone behind a step.
+	const Setback stairs = set_back({ { { 0, 0 }, { 10, 0 }, { 10, 6 }, { 4, 6 }, { 4, 4 }, { 0, 4 } } }, std::vector<double>{ 0, 0, 3, 1, 0, 0 });
+	CHECK(rest_area(stairs) == doctest::Approx((4.0 + 2.0 / 3.0) * 4.0 + (6.0 - 2.0 / 3.0) * 3.0));
+}
+
+TEST_CASE("a corner sharper than a tenth of a degree does not grow, one of half a degree does") {
+	CHECK_FALSE(grow({ { { 0, 0 }, { 100, 0 }, { 100, 0.1 } } }, 0.5).is_complete);
+	const Loops2 needle = { { { 0, 0 }, { 100, 0 }, { 100, 1 } } };
+	const Setback grown = grow(needle, 0.5);
+	REQUIRE(grown.rest.size() == 1);
+	CHECK(strip_area(grown) + rest_area(grown) == doctest::Approx(area_of(needle)));
+	CHECK(area_of(grown.rest[0]) > area_of(needle));
 }
 
 TEST_CASE("a strip begins with the edge that it comes from") {

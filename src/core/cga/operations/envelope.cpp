@@ -133,7 +133,7 @@ Flow build(Context &context, const EnvelopeArgs &args, bool is_world_up) {
 		add_faces(builder, envelope, ground.frame, face.material);
 	}
 	if (!is_closed) {
-		context.vm.warn("broken-outline", "the envelope over this face is not closed: its outline crosses itself, or one side of it has several angles");
+		context.vm.warn("broken-outline", "the envelope over this face is not closed: its outline crosses itself");
 	}
 	if (const Geometry *result = builder.finish(context.arena, is_closed)) {
 		const glm::dvec3 up = is_world_up ? world_up : face_normal(*geometry, geometry->faces[0]);

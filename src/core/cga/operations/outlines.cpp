@@ -40,7 +40,7 @@ Flow offset(Vm &vm, const Args &args) {
 		}
 	}
 	if (!is_complete) {
-		vm.warn("broken-outline", "the outline of this face crosses itself; it is not moved");
+		vm.warn("broken-outline", "the outline of this face crosses itself or has a corner sharper than a tenth of a degree; it is not moved");
 	}
 	replace_faces(context); // nothing is left: the geometry stays
 	return Flow::Next;

@@ -95,6 +95,62 @@ Sections cut_outline(const Loops2 &polygon, const Chain &chain, const SplitLayou
 	return sections;
 }
 
+// What each part covers when its section is set back: deeper ones first, each of them what those before it left. Those of one depth meet halfway.
+class Coverage {
+public:
+	Coverage(const Sections &sections, const std::vector<double> &depths) : parts(depths.size()), _sections(sections), _depths(depths) {
+		const auto has_depth = [](double depth) { return depth > 0.0; };
+		std::vector<double> levels;
+		std::ranges::copy_if(depths, std::back_inserter(levels), has_depth);
+		std::ranges::sort(levels, std::greater());
+		levels.erase(std::ranges::unique(levels).begin(), levels.end());
+		for (const double level : levels) {
+			const auto is_of_level = [&](uint32_t part) { return depths[part] == level; };
+			claim(set_back_if(is_of_level));
+			for (uint32_t part = 0; part < depths.size(); ++part) {
+				if (is_of_level(part)) { // where another one of this depth stopped it
+					claim(set_back_if([&](uint32_t other) { return other == part; }));
+				}
+			}
+		}
+		claim(set_back_if([&](uint32_t part) { return has_depth(depths[part]); })); // between them at inner corners
+	}
+
+	Polygons2 rest() const { return _taken.empty() ? Polygons2{ _sections.polygon } : overlay(_sections.polygon, _taken, OverlayKind::Difference); }
+
+	std::vector<Loops2> parts;
+	bool is_complete = true;
+
+private:
+	template <typename Filter> Setback set_back_if(Filter is_moved) {
+		std::vector<double> distances;
+		for (const uint32_t part : _sections.part_of) {
+			distances.push_back(part != no_part && is_moved(part) ? _depths[part] : 0.0);
+		}
+		return set_back(_sections.polygon, distances);
+	}
+
+	void claim(const Setback &setback) {
+		is_complete &= setback.is_complete;
+		std::vector<Loops2> strips(parts.size());
+		for (const SetbackStrip &strip : setback.strips) {
+			append(strips[_sections.part_of[strip.edge]], strip.polygon);
+		}
+		for (uint32_t part = 0; part < parts.size(); ++part) {
+			for (const Loops2 &polygon : strips[part].empty() ? Polygons2() : overlay(strips[part], _taken, OverlayKind::Difference)) {
+				append(parts[part], polygon);
+				append(_taken, polygon);
+			}
+		}
+	}
+
+	static void append(Loops2 &loops, const Loops2 &more) { loops.insert(loops.end(), more.begin(), more.end()); }
+
+	const Sections &_sections;
+	const std::vector<double> &_depths;
+	Loops2 _taken;
+};
+
 class PerimeterSplit {
 public:
 	PerimeterSplit(Context &context, const Args &args) : _context(context), _args(args), _parent(context.shape), _sizes(split_sizes(context, *args.block)) {}
@@ -134,19 +190,16 @@ private:
 		const SplitLayout layout = lay_out_split(_sizes.groups, chain.length, _context.limits().max_repeats, _context.scratch);
 		const Sections sections = cut_outline(face.loops(), chain, layout, _context.length(_args[0], chain.length));
 		const std::vector<double> depths = depths_of(layout);
-		std::vector<double> distances;
-		for (const uint32_t part : sections.part_of) {
-			distances.push_back(part == no_part ? 0.0 : depths[part]);
-		}
-		const Setback result = set_back(sections.polygon, distances);
-		if (!result.is_complete) {
+		const Coverage coverage(sections, depths);
+		if (!coverage.is_complete) {
 			_context.vm.warn("broken-outline", "the outline of this face crosses itself; its edges are not set back");
 		}
-		for (const Loops2 &polygon : result.rest) {
-			rest.push_back({ &face, polygon });
+		for (Loops2 &polygon : coverage.rest()) {
+			polygon[0] = begun_near(polygon[0], outline[0], outline[1]);
+			rest.push_back({ &face, std::move(polygon) });
 		}
 		for (uint32_t part = 0; part < layout.parts.size(); ++part) {
-			if (run_section(face, sections, result, layout, part) != Flow::Next) {
+			if (run_section(face, sections, coverage.parts[part], layout, part) != Flow::Next) {
 				return Flow::Stop;
 			}
 		}
@@ -184,25 +237,22 @@ private:
 		return depths;
 	}
 
-	// The strips of a section's edges are one polygon, unless others came in between.
-	Flow run_section(const FlatFace &face, const Sections &sections, const Setback &result, const SplitLayout &layout, uint32_t part) {
-		Loops2 strips;
-		for (const SetbackStrip &strip : result.strips) {
-			if (sections.part_of[strip.edge] == part) {
-				strips.insert(strips.end(), strip.polygon.begin(), strip.polygon.end());
-			}
-		}
-		if (strips.empty()) {
+	// One shape, of several polygons where a deeper section cuts through; it begins with the section's edge.
+	Flow run_section(const FlatFace &face, const Sections &sections, const Loops2 &covered, const SplitLayout &layout, uint32_t part) {
+		if (covered.empty()) {
 			return Flow::Next;
 		}
-		const glm::dvec2 from = strips[0][0], to = strips[0][1];
+		const Loop2 &outline = sections.polygon[0];
+		const size_t edge = size_t(std::ranges::find(sections.part_of, part) - sections.part_of.begin());
 		FacePieces pieces;
-		for (Loops2 &polygon : overlay(strips, {}, OverlayKind::Union)) {
-			polygon[0] = begun_near(polygon[0], from, to);
+		for (Loops2 &polygon : overlay(covered, {}, OverlayKind::Union)) {
+			polygon[0] = begun_near(polygon[0], outline[edge], outline[(edge + 1) % outline.size()]);
 			pieces.push_back({ &face, std::move(polygon) });
 		}
+		BlockEntry entry = *_sizes.entries[layout.parts[part].entry];
+		entry.separator = BlockEntry::Separator::All;
 		Context::Children children(_context);
-		return run_pieces(_context, children, section_shape(layout, part), *_sizes.entries[layout.parts[part].entry], pieces);
+		return run_pieces(_context, children, section_shape(layout, part), entry, pieces);
 	}
 
 	Context &_context;
