@@ -38,9 +38,21 @@ String closest_hint(const String &name, const std::vector<std::string_view> &kno
 	return closest.empty() ? String() : "; did you mean '" + to_godot(closest) + "'?";
 }
 
+void add_group(Dictionary &entry, const Task &walk, const AgendaSet &agendas, std::optional<int64_t> day) {
+	const Group &group = agendas.groups[walk.target];
+	const int64_t evening_before = walk.start_ms < group.start_ms ? 1 : 0;
+	PackedInt32Array joiners;
+	for (const PersonId joiner : day ? joiners_on_day(agendas, walk.target, *day - evening_before)
+									 : joiners_on(agendas, walk.target, set_out_days(group, walk))) {
+		joiners.push_back(int32_t(index_of(joiner)));
+	}
+	entry["leader"] = int64_t(index_of(group.leader));
+	entry["joiners"] = joiners;
+}
+
 } // namespace
 
-Dictionary to_godot(const Task &task, const AgendaSet &agendas, const Program &program) {
+Dictionary to_godot(const Task &task, const AgendaSet &agendas, const Program &program, std::optional<int64_t> day) {
 	Dictionary entry;
 	entry["kind"] = to_godot(task_kind_name(task.kind));
 	entry["start"] = task.start().in_seconds();
@@ -50,13 +62,7 @@ Dictionary to_godot(const Task &task, const AgendaSet &agendas, const Program &p
 	if (task.kind == TaskKind::DelayedRule && task.target < program.rules.size()) {
 		entry["delayed_rule"] = to_godot(std::string_view(program.rules[task.target].name));
 	} else if (task.kind == TaskKind::Accompany) {
-		PackedInt32Array joiners;
-		const Group &group = agendas.groups[task.target];
-		for (const PersonId joiner : joiners_on(agendas, task.target, set_out_days(group, task))) {
-			joiners.push_back(int32_t(index_of(joiner)));
-		}
-		entry["leader"] = int64_t(index_of(group.leader));
-		entry["joiners"] = joiners;
+		add_group(entry, task, agendas, day);
 	}
 	if (task.name != 0) {
 		entry["name"] = to_godot(std::string_view(agendas.names[task.name]));

@@ -11,8 +11,9 @@
 // Entries of agendas as scripts see them: what CitizenManager.get_agenda() gives, and insert_task() takes.
 namespace pcg {
 
-// Keys: kind, start, end, target, days; `delayed_rule` that it runs; `leader` and `joiners` of a walk together; `name`, `requires`, `after` where it has them; rule, file, line of its origin.
-godot::Dictionary to_godot(const Task &task, const AgendaSet &agendas, const Program &program);
+// Keys: kind, start, end, target, days; `delayed_rule` that it runs; `leader` and `joiners` of a walk together; `name`, `requires`, `after` where it has
+// them; rule, file, line of its origin. Joiners are those of the `day` on which it begins, as SimTime counts; without one, of any of its days.
+godot::Dictionary to_godot(const Task &task, const AgendaSet &agendas, const Program &program, std::optional<int64_t> day = std::nullopt);
 
 struct WrittenTask {
 	Task task;

@@ -57,6 +57,14 @@ func test_a_file_with_errors_opens_and_its_list_leads_to_the_place() -> void:
 	check_equal(edit.get_caret_line(), int(shown[0]["line"]) - 1, "the caret stands there")
 
 
+func test_columns_count_characters() -> void:
+	var edit: RuleEdit = await _open("@StartRule\nLot --> /* niños */ extrude(heigth)\n", "foreign.cga")
+	var told: Dictionary = edit.rules.get_diagnostics()[0]
+	check_equal(int(told["column"]), 29, "behind the remark")
+	_dock.open(edit.path, int(told["line"]), int(told["column"]))
+	check_equal(edit.get_caret_column(), 28, "the caret stands before the name")
+
+
 func test_names_are_offered_and_explained() -> void:
 	var edit: RuleEdit = await _open(GOOD)
 	var names: Array = edit.words.find_completions("ext", edit.text).map(func(entry: Dictionary) -> String: return entry["name"])

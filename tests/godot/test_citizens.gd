@@ -157,7 +157,8 @@ func test_attributes_of_the_rules_are_set_kept_and_checked() -> void:
 	check_equal(_first_start(_citizens.add_people(people)[0]), 10 * HOUR, "holds there, also for who comes later")
 	check(_citizens.generate_population(), "new agendas")
 	check_equal(_first_start(), 8 * HOUR, "take what is set now")
-	for wrong: Array in [["leavs", 1.0, "'leavs' is no attribute of the rules"], ["fixed", 2.0, "'fixed' is const"], ["leaves", "soon", "'leaves' is a number in the rules, not text"]]:
+	for wrong: Array in [["leavs", 1.0, "'leavs' is no attribute of the rules"], ["fixed", 2.0, "'fixed' is const"], ["leaves", "soon", "'leaves' is a number in the rules, not text"],
+			["leaves", NAN, "which rules cannot reckon with"]]:
 		_citizens.attributes = {wrong[0]: wrong[1]}
 		expect_message(wrong[2])
 		check(not _citizens.generate_population(), "refused: %s" % [wrong])

@@ -6,6 +6,13 @@ const CALLING := """@StartRule
 Household --> members { true: delayedRule(9h + rand(0, 1h), 11h, Call) }
 Call --> wait(60) case testCall(): wait(60) else: wait(30)
 """
+## One adult leads the children to school.
+const LED := """@StartRule
+Household -->
+	members { true: stayInside(0h, 24h, home) }
+	members { age < 18: goToBuilding(8h, 10h, findNearestBuilding("school", home)) }
+	case count(age < 18) > 0: members { chooseMember(age >= 18): accompany(8h + 1, age < 18) }
+"""
 
 
 func _leaves_school_at_noon(child: int) -> bool:
@@ -88,6 +95,29 @@ func test_what_required_a_lost_entry_is_dropped_and_told() -> void:
 	check(told.has([adult, "delayedRule", 1, "lost", "school"]), "nobody goes to the park: %s" % [told])
 	check_equal(_citizens.get_agenda(adult, 1).size(), before - 1, "on that Tuesday")
 	check_equal(_citizens.get_agenda(adult, 8).size(), before, "only")
+
+
+func test_children_whose_leader_is_called_away_go_alone_and_that_is_told() -> void:
+	_citizens.rules = CityForTests.make_rules(LED, PCGRuleSet.DIALECT_AGENDA)
+	_begin(6.0)
+	var told: Array[Array] = []
+	_citizens.task_dropped.connect(func(person: int, task: Dictionary, reason: String, _required: String) -> void:
+		told.append([person, task["kind"], task.get("day"), reason]))
+	var child: int = _somebody(func(one: Dictionary) -> bool: return one["age"] < 18)
+	var walk: Dictionary = _citizens.get_agenda(child, 1).filter(func(task: Dictionary) -> bool: return task["kind"] == "accompany")[0]
+	var adult: int = walk["leader"]
+	check(walk["joiners"].has(child), "they walk together")
+	var away := {"kind": "stayInside", "start": 7 * HOUR, "end": 11 * HOUR, "target": _citizens.get_person(adult)["home"], "day": 1}
+	check(_citizens.insert_task(adult, away), "the adult stays at home on Tuesday")
+	check(told.has([child, "accompany", 1, "leaderless"]), "told: %s" % [told])
+	var at_eight := func(day: int) -> Dictionary: return _citizens.get_agenda(child, day).filter(
+			func(task: Dictionary) -> bool: return task["start"] == 8 * HOUR)[0]
+	var alone: Dictionary = at_eight.call(1)
+	check_equal(alone["kind"], "goToBuilding", "alone on Tuesday")
+	check_equal(at_eight.call(8)["kind"], "accompany", "and never again")
+	_citizens.advance(27.5 * HOUR)
+	check_equal(_citizens.get_person(child)["place"]["id"], alone["target"], "and gets there")
+	_check_promises()
 
 
 func test_entries_that_cannot_be_are_refused_with_what_is_wrong() -> void:

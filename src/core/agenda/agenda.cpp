@@ -248,4 +248,21 @@ std::vector<PersonId> joiners_on(const AgendaSet &agendas, uint32_t group, DayMa
 	return result;
 }
 
+std::vector<PersonId> joiners_on_day(const AgendaSet &agendas, uint32_t group, int64_t day) {
+	const Group &plan = agendas.groups[group];
+	const auto walks_from = [&](PersonId joiner, int64_t begin) {
+		return std::ranges::any_of(agendas.agenda_of(joiner).on(begin), [&](const Task &task) {
+			const bool is_of_evening_before = task.start_ms < plan.start_ms;
+			return is_walk(task, group) && ((task.days >> SimTime::at(begin, {}).weekday()) & 1) && is_of_evening_before == (begin != day);
+		});
+	};
+	std::vector<PersonId> result;
+	for (PersonId joiner : plan.joiners) {
+		if (walks_from(joiner, day) || walks_from(joiner, day + 1)) {
+			result.push_back(joiner);
+		}
+	}
+	return result;
+}
+
 } // namespace pcg

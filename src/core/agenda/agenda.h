@@ -144,5 +144,7 @@ struct AgendaSet {
 // Those who walk with the leader of a group on any of these days of its setting out; newer entries may have called joiners away. `first`: whom the set
 // counts from.
 std::vector<PersonId> joiners_on(const AgendaSet &agendas, uint32_t group, DayMask days, PersonId first = PersonId{ 0 });
+// Those who walk with it where it sets out on this day, as SimTime counts, with what is for single days.
+std::vector<PersonId> joiners_on_day(const AgendaSet &agendas, uint32_t group, int64_t day);
 
 } // namespace pcg

@@ -1,6 +1,7 @@
 #include "core/agenda/agenda_edit.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <span>
 
@@ -222,8 +223,21 @@ private:
 		}
 	}
 
+	// Whether the loss of every week says it, too.
+	bool is_told_of_week(const DroppedTask &single) const {
+		return single.day && std::ranges::any_of(_change.dropped, [&](const DroppedTask &other) {
+			Task task = other.task;
+			task.days = single.task.days;
+			return !other.day && (other.task.days & single.task.days) != 0 && other.person == single.person && other.reason == single.reason &&
+					other.name == single.name && is_same(task, single.task);
+		});
+	}
+
 	// A single day that is as in the week is none.
 	AgendaChange finish() {
+		std::vector<DroppedTask> told;
+		std::ranges::copy_if(_change.dropped, std::back_inserter(told), [this](const DroppedTask &one) { return !is_told_of_week(one); });
+		_change.dropped = std::move(told);
 		for (size_t i = 0; i < _household.member_count; ++i) {
 			const auto found = _set.changed.find(index_of(member(i)));
 			if (found == _set.changed.end()) {

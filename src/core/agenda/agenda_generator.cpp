@@ -68,7 +68,7 @@ private:
 		const size_t end = std::min(first + households_per_batch, _range.end);
 		for (size_t i = first; i < end; ++i) {
 			run_household(vm, context, HouseholdId(uint32_t(i)));
-			context.drop_unmet_tasks();
+			context.finish_household();
 			keep(batch, context);
 		}
 		batch.names = context.names();

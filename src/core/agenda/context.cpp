@@ -1,5 +1,7 @@
 #include "core/agenda/context.h"
 
+#include "core/agenda/requirement.h"
+
 namespace pcg::agenda {
 
 namespace {
@@ -21,7 +23,8 @@ bool is_repeat(const Diagnostic &one, const Diagnostic &other) {
 	if (one.id != other.id || one.id == missing_type_id) {
 		return one.id == other.id && one.message == other.message;
 	}
-	return one.file == other.file && one.line == other.line && one.column == other.column;
+	const bool is_same_reason = one.hint == other.hint || !is_told_of_all(one.id); // its hint says what to do about the reason
+	return is_same_reason && one.file == other.file && one.line == other.line && one.column == other.column;
 }
 
 World make_world(const Program &program, const CityModel &city, const PathProvider &paths, const Population &population,

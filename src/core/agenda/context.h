@@ -39,7 +39,8 @@ enum class TypeUse : uint8_t { Building, Zone, Object };
 // The id of the warning that the city has nothing of a type. It is about the city: no household or person belongs to it.
 constexpr std::string_view missing_type_id = "unknown-type";
 
-// Whether one message makes the other unnecessary: a missing type is told once, everything else once for each place in the rules.
+// Whether one message makes the other unnecessary: a missing type is told once, everything else once for each place in the rules, what
+// is told of every household (requirement.h) once for each reason there.
 bool is_repeat(const Diagnostic &one, const Diagnostic &other);
 
 class Context : public VmHost {

@@ -57,13 +57,15 @@ void GenerationContext::begin_household(HouseholdId id, DayMask days) {
 	}
 	_groups.clear();
 	_named_tasks.clear();
+	_inner_days.clear();
 	_has_requirements = false;
 	begin_days(days);
 }
 
 void GenerationContext::begin_days(DayMask days) {
 	set_focus(PersonId::Invalid);
-	_days = days;
+	_run_days = days;
+	set_named_days(all_days);
 	_entry_name = 0;
 	_requirement = 0;
 	_wants_single_days = false;
@@ -142,8 +144,31 @@ uint8_t GenerationContext::number_of(Vm &vm, const Requirement &requirement) {
 	return number;
 }
 
+void GenerationContext::note_inner_days(uint32_t address, DayMask outer, DayMask left) {
+	const auto found = std::ranges::find(_inner_days, address, &InnerDays::address);
+	if (found != _inner_days.end()) {
+		found->left |= left;
+	} else {
+		_inner_days.push_back({ address, outer, left });
+	}
+}
+
+void GenerationContext::finish_household() {
+	drop_unmet_tasks();
+	report_empty_days();
+}
+
+void GenerationContext::report_empty_days() {
+	for (const InnerDays &call : _inner_days) {
+		if (call.left == 0) {
+			CallProblem problem = no_days(call.outer);
+			report(diagnostic_at(*world().program, call.address, Severity::Warning, problem.id, std::move(problem.message), std::move(problem.hint)));
+		}
+	}
+}
+
 void GenerationContext::drop_unmet_tasks() {
-	const bool is_called_away = has_lost_joiners();
+	const bool is_called_away = has_lost_walkers();
 	if (!_has_requirements && !is_called_away) {
 		return;
 	}
@@ -170,10 +195,11 @@ bool GenerationContext::has_walk(PersonId member, uint32_t group, DayMask days) 
 }
 
 // Whether a newer entry may have called anybody away from its group.
-bool GenerationContext::has_lost_joiners() {
+bool GenerationContext::has_lost_walkers() {
 	for (uint32_t number = 0; number < _groups.size(); ++number) {
 		const Group &group = _groups[number];
-		if (!std::ranges::all_of(group.joiners, [&](PersonId joiner) { return has_walk(joiner, number, group.days); })) {
+		const auto walks = [&](PersonId member) { return has_walk(member, number, group.days); };
+		if (!walks(group.leader) || !std::ranges::all_of(group.joiners, walks)) {
 			return true;
 		}
 	}
@@ -181,17 +207,32 @@ bool GenerationContext::has_lost_joiners() {
 }
 
 void GenerationContext::report_dropped(const DroppedTask &dropped) {
-	const bool is_deserted = dropped.reason == Unmet::Deserted;
-	const std::string name = "'" + _names[dropped.name] + "'";
-	const std::string reason = dropped.reason == Unmet::Lost ? "newer entries took " + name + " away"
-			: dropped.reason == Unmet::NotOver				  ? name + " is not over by then"
-			: is_deserted									  ? "another leader called everybody away who was to come along"
-															  : "nobody there has " + name;
-	report(diagnostic_at(*world().program, dropped.task.origin, Severity::Warning, is_deserted ? deserted_id : requirement_unmet_id,
-			name_of(dropped.person) + " drops '" + std::string(task_kind_name(dropped.task.kind)) + "' at " +
-					clock_text(dropped.task.start(), false) + " (" + days_text(dropped.task.days) + "): " + reason,
-			is_deserted ? "what is written later wins: write the walk that is meant last, or for others"
-						: "what is written later wins: write the entry that is required last, or at another time"));
+	const std::string entry = "'" + std::string(task_kind_name(dropped.task.kind)) + "' at " + clock_text(dropped.task.start(), false) + " (" +
+			days_text(dropped.task.days) + ")";
+	const DropWords words = words_of(dropped);
+	report(diagnostic_at(*world().program, dropped.task.origin, Severity::Warning, words.id,
+			name_of(dropped.person) + (dropped.reason == Unmet::Leaderless ? " goes alone: " : " drops ") + entry + words.reason, words.hint));
+}
+
+GenerationContext::DropWords GenerationContext::words_of(const DroppedTask &dropped) const {
+	const std::string name = "'" + _names[dropped.name] + "'", quoted = "\"" + _names[dropped.name] + "\"";
+	switch (dropped.reason) {
+		case Unmet::Deserted:
+			return { deserted_id, ": another leader called everybody away who was to come along",
+				"what is written later wins: write the walk that is meant last, or for others" };
+		case Unmet::Leaderless:
+			return { leaderless_id, " has lost its leader, " + name_of(_groups[dropped.task.target].leader) + ", to newer entries",
+				"what is written later wins: write the walk last, or let somebody lead it who is free then" };
+		case Unmet::Lost:
+			return { requirement_unmet_id, ": newer entries took " + name + " away",
+				"what is written later wins: write " + name + " last, or at another time" };
+		case Unmet::NotOver:
+			return { requirement_unmet_id, ": " + name + " is not over by then", "let " + name + " end before, or this begin later" };
+		case Unmet::Missing:
+		case Unmet::No:
+			break;
+	}
+	return { requirement_unmet_id, ": nobody there has " + name, "write task(" + quoted + ") { .. } for somebody of the household on the same day" };
 }
 
 Value GenerationContext::day(Vm &vm) {

@@ -22,7 +22,15 @@ public:
 	bool wants_single_days() const { return _wants_single_days; }
 
 	DayMask days() const { return _days; }
-	void set_days(DayMask days) { _days = days; }
+	// Those of the days(..) around; a run may be for fewer.
+	DayMask named_days() const { return _named_days; }
+	void set_named_days(DayMask days) {
+		_named_days = days;
+		_days = days & _run_days;
+	}
+	// Of a days(..) inside of another, in the running call. A rule may be called within several: only where none of its calls in a household leaves a day
+	// is that told.
+	void note_inner_days(uint32_t address, DayMask outer, DayMask left);
 	// What entries are written with: the name that they get, and what they require; numbers as in names() and requirements().
 	uint16_t entry_name() const { return _entry_name; }
 	void set_entry_name(uint16_t name) { _entry_name = name; }
@@ -33,8 +41,9 @@ public:
 	uint8_t number_of(Vm &vm, const Requirement &requirement);
 	const std::vector<std::string> &names() const { return _names; }
 	const std::vector<Requirement> &requirements() const { return _requirements; }
-	// Takes out what requires entries that newer ones took away, and walks of leaders from whom others called everybody away, and reports it.
-	void drop_unmet_tasks();
+	// When the rules have run: takes out what requires entries that newer ones took away, and walks of leaders from whom others called everybody away, lets
+	// joiners without a leader go alone, and reports it and days(..) that left none.
+	void finish_household();
 
 	Agenda &agenda_of(PersonId member) { return _members[index_in_household(member)].agenda; }
 	const std::vector<FloatingTask> &floating_tasks_of(PersonId member) const { return _members[index_in_household(member)].floating; }
@@ -63,9 +72,21 @@ private:
 		std::vector<FloatingTask> floating;
 	};
 
+	struct InnerDays {
+		uint32_t address;
+		DayMask outer, left;
+	};
+
 	void insert_named_task(PersonId member, Task task);
+	void drop_unmet_tasks();
+	void report_empty_days();
 	void report_dropped(const DroppedTask &dropped);
-	bool has_lost_joiners();
+	struct DropWords {
+		std::string_view id;
+		std::string reason, hint;
+	};
+	DropWords words_of(const DroppedTask &dropped) const;
+	bool has_lost_walkers();
 	bool has_walk(PersonId member, uint32_t group, DayMask days);
 	size_t index_in_household(PersonId member) const { return index_of(member) - index_of(household().first_member); }
 
@@ -76,7 +97,9 @@ private:
 	std::vector<std::string> _names{ "" };
 	std::vector<Requirement> _requirements{ {} };
 	std::vector<NamedTask> _named_tasks; // of this household, as written
-	DayMask _days = all_days;
+	std::vector<InnerDays> _inner_days; // of this household
+	DayMask _run_days = all_days, _named_days = all_days;
+	DayMask _days = all_days; // both
 	uint16_t _entry_name = 0;
 	uint8_t _requirement = 0;
 	bool _has_requirements = false; // an entry of this household has

@@ -28,7 +28,7 @@ void RepeatedDiagnostics::tell(Diagnostics &diagnostics) {
 			continue;
 		}
 		// Of a warning an interpreter tells only the first; these are all told.
-		const bool is_counted = !is_warning || one.first.id == requirement_unmet_id || one.first.id == deserted_id;
+		const bool is_counted = !is_warning || is_told_of_all(one.first.id);
 		if (one.repeats > 0 && is_counted) {
 			one.first.message += ", and the same " + std::to_string(one.repeats) + (one.repeats == 1 ? " time more" : " times more");
 		}

@@ -26,6 +26,8 @@ public:
 	std::vector<DroppedTask> run() {
 		while (drop_deserted() || (!_requirements.empty() && drop_one())) {
 		}
+		while (release_one()) { // last: what nobody leads is no walk together for those who require it
+		}
 		return std::move(_dropped);
 	}
 
@@ -51,12 +53,51 @@ private:
 		return false;
 	}
 
+	bool release_one() {
+		for (size_t member = 0; member < _household.members.size(); ++member) {
+			const std::vector<Task> &tasks = _household.members[member]->tasks();
+			for (size_t i = 0; i < tasks.size(); ++i) {
+				const Group *group = group_of(tasks[i]);
+				if (group != nullptr && group->leader != person_of(member) && release(member, i, *group)) {
+					return true;
+				}
+			}
+		}
+		return false;
+	}
+
+	// Where nobody leads the joiner it goes alone, and is not who walked together for those who require that.
+	bool release(size_t member, size_t index, const Group &group) {
+		Agenda &agenda = *_household.members[member];
+		Task walk = agenda.tasks()[index];
+		const DayMask alone = set_out_days(group, walk) & DayMask(~set_out_days_of(group.leader, group, walk.target));
+		if (alone == 0) {
+			return false;
+		}
+		walk.days = rotate_days(alone, walk.start_ms < group.start_ms ? 1 : 0);
+		_dropped.push_back({ person_of(member), walk, Unmet::Leaderless, 0, std::nullopt });
+		agenda.remove(index, walk.days);
+		walk.kind = TaskKind::GoToBuilding;
+		walk.target = index_of(group.goal);
+		walk.name = 0;
+		agenda.insert(walk);
+		return true;
+	}
+
+	DayMask set_out_days_of(PersonId person, const Group &group, uint32_t number) const {
+		DayMask days = 0;
+		for (const Task &task : _household.of(person).tasks()) {
+			days |= is_walk(task, number) ? set_out_days(group, task) : DayMask(0);
+		}
+		return days;
+	}
+
 	// On which no joiner is left, and one of them walks with another leader in the time.
 	DayMask deserted_days(const Group &group, uint32_t number) const {
 		DayMask left = 0, called_away = 0;
 		for (PersonId joiner : group.joiners) {
+			left |= set_out_days_of(joiner, group, number);
 			for (const Task &task : _household.of(joiner).tasks()) {
-				left |= is_walk(task, number) ? set_out_days(group, task) : DayMask(0);
 				called_away |= task.kind == TaskKind::Accompany && !is_walk(task, number) ? met_days(group, task) : DayMask(0);
 			}
 		}

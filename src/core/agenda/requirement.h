@@ -38,6 +38,8 @@ struct NamedTask {
 // Ids of the warnings that tell of them, each of which is told of every household.
 constexpr std::string_view requirement_unmet_id = "requirement-unmet";
 constexpr std::string_view deserted_id = "group-deserted";
+constexpr std::string_view leaderless_id = "group-leaderless";
+constexpr bool is_told_of_all(std::string_view id) { return id == requirement_unmet_id || id == deserted_id || id == leaderless_id; }
 
 enum class Unmet : uint8_t {
 	No,
@@ -45,14 +47,15 @@ enum class Unmet : uint8_t {
 	Lost, // newer entries took it away, or its end
 	NotOver, // it is not over when the requiring entry begins
 	Deserted, // a leader's walk together: another leader called everybody away who was to come along
+	Leaderless, // a joiner's walk together, which is a walk of its own now: the leader has something else to do
 };
 
-// An entry that was taken out because what it needs is not there.
+// An entry that was taken out, or became another one, because what it needs is not there.
 struct DroppedTask {
 	PersonId person = PersonId::Invalid;
 	Task task; // its days are those on which it was dropped
 	Unmet reason = Unmet::No;
-	uint16_t name = 0; // of the entry that it required, in AgendaSet::names; 0: Deserted
+	uint16_t name = 0; // of the entry that it required, in AgendaSet::names; 0: Deserted, Leaderless
 	std::optional<int64_t> day; // the only one on which it was dropped, as SimTime counts; without: every week
 };
 
@@ -69,7 +72,8 @@ struct HouseholdAgendas {
 // required that. The required entry is one written for the same day (an entry at 30 h belongs to the day before the morning it begins on); of `after`
 // it is over when the requiring one begins. Whoever has entries of the name needs one of its own, everybody else anybody's in the household. A walk
 // together is lived while the leader and one joiner are left; where a leader's walk falls out the joiners' walks do too, and the leader's with the
-// last joiner's.
+// last joiner's. Joiners whose leader was taken away by newer entries go by themselves: their walks become goToBuilding to the same goal in the same
+// time.
 // `named`: entries in order of writing; `requirements` as in AgendaSet.
 std::vector<DroppedTask> drop_unmet(const HouseholdAgendas &household, std::span<const NamedTask> named, std::span<const Requirement> requirements);
 

@@ -4,11 +4,13 @@
 #include <cctype>
 #include <tuple>
 
+#include "core/base/utf8.h"
+
 namespace pcg {
 
 namespace {
 
-// Long lines (minified or binary input) are cut around the caret to this many bytes.
+// Long lines (minified or binary input) are cut around the caret to this many characters.
 constexpr size_t max_excerpt = 160;
 
 std::string place_text(const Diagnostic &diagnostic) {
@@ -28,14 +30,15 @@ void append_excerpt(std::string &text, const Diagnostic &diagnostic) {
 	}
 	const size_t column = diagnostic.column > 0 ? diagnostic.column - 1 : 0;
 	const size_t start = column > max_excerpt / 2 ? column - max_excerpt / 2 : 0;
-	std::string line = diagnostic.source.substr(std::min(start, diagnostic.source.size()), max_excerpt);
-	std::string caret;
-	for (size_t i = 0; i < line.size(); ++i) {
-		if (i < column - start) {
-			caret += line[i] == '\t' ? '\t' : ' ';
-		}
-		if (line[i] != '\t' && std::iscntrl(static_cast<unsigned char>(line[i]))) {
-			line[i] = '?';
+	std::string_view shown = diagnostic.source;
+	shown.remove_prefix(byte_of_character(shown, start));
+	shown = shown.substr(0, byte_of_character(shown, max_excerpt));
+	std::string line, caret;
+	size_t at = start;
+	for (char c : shown) {
+		line += c != '\t' && std::iscntrl(static_cast<unsigned char>(c)) ? '?' : c;
+		if (starts_character(c) && at++ < column) {
+			caret += c == '\t' ? '\t' : ' ';
 		}
 	}
 	text += "\n    " + line;

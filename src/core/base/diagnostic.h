@@ -11,7 +11,7 @@ namespace pcg {
 enum class Severity : uint8_t { Warning, Error };
 
 // `id` is a short kebab-case name that stays the same when the wording changes ("unknown-name"); tests and filters use it.
-// Line and column count from 1, 0 = unknown; the column counts bytes. `source` is the text of that line, for the caret.
+// Line and column count from 1, 0 = unknown; the column counts characters. `source` is the text of that line, for the caret.
 struct Diagnostic {
 	Severity severity = Severity::Error;
 	std::string_view id; // a string literal

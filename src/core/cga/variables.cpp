@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "core/base/utf8.h"
 #include "core/cga/context.h"
 #include "core/cga/material_variables.h"
 #include "core/cga/operations/operations.h"
@@ -92,7 +93,7 @@ std::string_view selector_text(const Program &program, const BlockEntry &entry) 
 		return {};
 	}
 	std::string_view text = program.sources[entry.place.file]->line(entry.place.line);
-	text.remove_prefix(std::min<size_t>(entry.place.column - 1, text.size()));
+	text.remove_prefix(byte_of_character(text, entry.place.column - 1));
 	const auto is_comparison = [&](size_t i) {
 		const bool follows = i > 0 && std::string_view("=<>!").find(text[i - 1]) != std::string_view::npos;
 		return follows || (i + 1 < text.size() && text[i + 1] == '=');

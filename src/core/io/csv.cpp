@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "core/base/result.h"
+#include "core/base/utf8.h"
 #include "core/io/atomic_file.h"
 
 namespace pcg {
@@ -72,6 +73,7 @@ public:
 		while (true) {
 			CsvField field;
 			if (!read_field(field)) {
+				go_on_behind(row);
 				return file_problem_at(row);
 			}
 			row.fields.push_back(std::move(field));
@@ -102,11 +104,17 @@ private:
 		}
 	}
 
+	// Where a row with odd quotes ends cannot be told: with its line.
+	void go_on_behind(const CsvRow &row) {
+		_at = std::min(_text.find('\n', _line_start), _text.size() - 1) + 1;
+		_line = row.line + 1;
+	}
+
 	bool read_field(CsvField &field) {
 		while (_at < _text.size() && _text[_at] == ' ') {
 			++_at;
 		}
-		field.column = uint32_t(_at - _line_start + 1);
+		field.offset = uint32_t(_at - _line_start);
 		if (_at < _text.size() && _text[_at] == '"') {
 			return read_quoted(field);
 		}
@@ -164,13 +172,13 @@ bool has_unique_columns(const CsvTable &table, Diagnostics &diagnostics) {
 	return true;
 }
 
-// False: where a row ends cannot be told.
-bool read_rows(Scanner &scanner, CsvTable &table, Diagnostics &diagnostics) {
+// Those that can be; each of the others is an error.
+void read_rows(Scanner &scanner, CsvTable &table, Diagnostics &diagnostics) {
 	while (!scanner.is_at_end()) {
 		Result<CsvRow> row = scanner.read_row();
 		if (!row) {
 			diagnostics.add(row.diagnostic());
-			return false;
+			continue;
 		}
 		if (row->fields.size() == table.header.fields.size()) {
 			table.rows.push_back(std::move(*row));
@@ -180,7 +188,6 @@ bool read_rows(Scanner &scanner, CsvTable &table, Diagnostics &diagnostics) {
 				"this row has " + std::to_string(row->fields.size()) + " fields, the first line " + std::to_string(table.header.fields.size()),
 				"put texts that hold commas between quotes, and leave unused fields empty"));
 	}
-	return true;
 }
 
 } // namespace
@@ -197,7 +204,9 @@ int CsvTable::find_column(std::string_view name) const {
 Diagnostic CsvTable::at(const CsvRow &row, size_t field, std::string_view id, std::string message, std::string hint) const {
 	Diagnostic diagnostic = file_problem(file, id, std::move(message), std::move(hint));
 	diagnostic.line = row.line;
-	diagnostic.column = field < row.fields.size() ? row.fields[field].column : 1;
+	const size_t before = field < row.fields.size() ? row.fields[field].offset : 0;
+	const size_t behind_line = before - std::min(before, row.source.size()); // where a quoted text broke the line
+	diagnostic.column = uint32_t(count_characters(first_bytes(row.source, before)) + behind_line + 1);
 	diagnostic.source = row.source;
 	return diagnostic;
 }
@@ -227,7 +236,11 @@ std::optional<CsvTable> parse_csv(std::string_view text, std::string_view file, 
 		return std::nullopt;
 	}
 	table.header = std::move(*header);
-	return has_unique_columns(table, diagnostics) && read_rows(scanner, table, diagnostics) ? std::optional(std::move(table)) : std::nullopt;
+	if (!has_unique_columns(table, diagnostics)) {
+		return std::nullopt;
+	}
+	read_rows(scanner, table, diagnostics);
+	return table;
 }
 
 std::optional<CsvTable> read_csv(const std::string &path, Diagnostics &diagnostics) {

@@ -15,7 +15,7 @@ namespace pcg {
 
 struct CsvField {
 	std::string text; // without quotes and outer spaces
-	uint32_t column = 0; // of its first character in the line, from 1
+	uint32_t offset = 0; // bytes from the beginning of the row
 };
 
 struct CsvRow {
@@ -34,8 +34,8 @@ struct CsvTable {
 	Diagnostic at(const CsvRow &row, size_t field, std::string_view id, std::string message, std::string hint) const;
 };
 
-// Nothing, with one error, if the text is empty or binary, or its quotes are not in pairs. Rows that do not fit the header are errors too, and left
-// out: whoever reads the others can tell what is wrong with those at the same time. There may be none.
+// Nothing, with one error, if the text is empty or binary, or the first line cannot be read. Rows that do not fit it, or whose quotes are not in pairs,
+// are errors too, and left out: whoever reads the others can tell what is wrong with those at the same time. There may be none.
 std::optional<CsvTable> parse_csv(std::string_view text, std::string_view file, Diagnostics &diagnostics);
 // The same for a file; it may be missing, a folder or larger than 256 MB too.
 std::optional<CsvTable> read_csv(const std::string &path, Diagnostics &diagnostics);

@@ -14,6 +14,8 @@ namespace pcg {
 
 namespace {
 
+constexpr int most_told = 1'000'000; // members of a cell; there are max_members at most
+constexpr int oldest_told = 120; // years
 constexpr size_t max_rows = 65'535; // a household keeps the row it was drawn from in 16 bits
 
 int find_first_column(const CsvTable &csv, std::initializer_list<std::string_view> names) {
@@ -30,7 +32,7 @@ struct Amount {
 	bool is_open = false;
 };
 
-// Turns rows into patterns; every row that cannot be is an error.
+// Turns rows into patterns; every row that cannot be is an error, but for a household that is too large, which is left out with a warning.
 class TableReader {
 public:
 	explicit TableReader(CsvTable &csv) : _csv(csv) {}
@@ -58,8 +60,8 @@ public:
 			table.patterns.push_back(std::move(*pattern));
 		}
 		if (!(total > 0.0) && !diagnostics.has_errors()) {
-			diagnostics.add(_csv.at(_csv.rows.front(), size_t(_count), "no-households", "all counts are 0",
-					"at least one kind of household has to occur"));
+			diagnostics.add(_csv.at(_csv.rows.front(), size_t(_count), "no-households",
+					table.patterns.empty() ? "no row is left: all households are too large" : "all counts are 0", "at least one kind of household has to occur"));
 		}
 		return table;
 	}
@@ -141,10 +143,16 @@ private:
 		}
 		Result<HouseholdPattern> pattern = read_household_words(descriptor, std::clamp(from->count, 1, 30));
 		if (!pattern) {
-			return _csv.at(row, size_t(_descriptor), pattern.diagnostic().id,
-					"\"" + descriptor + "\": " + pattern.diagnostic().message, pattern.diagnostic().hint);
+			return problem_at(row, pattern.diagnostic());
 		}
 		return pattern;
+	}
+
+	Diagnostic problem_at(const CsvRow &row, const Diagnostic &problem) const {
+		Diagnostic diagnostic = _csv.at(row, size_t(_descriptor), problem.id,
+				"\"" + row.fields[size_t(_descriptor)].text + "\": " + problem.message, problem.hint);
+		diagnostic.severity = problem.severity;
+		return diagnostic;
 	}
 
 	bool has_columns(const CsvRow &row) const {
@@ -170,10 +178,13 @@ private:
 			text.remove_suffix(1);
 		}
 		const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), amount.count);
-		if (error != std::errc() || end != text.data() + text.size() || amount.count < 0 || amount.count > 120) {
+		const bool is_large = error == std::errc::result_out_of_range && text[0] != '-';
+		const bool is_age = name.ends_with("_age") || name == "adult_from";
+		amount.count = is_large ? most_told : std::min(amount.count, most_told);
+		if ((error != std::errc() && !is_large) || end != text.data() + text.size() || amount.count < 0 || (is_age && amount.count > oldest_told)) {
 			return _csv.at(row, size_t(column), "not-a-number",
 					"'" + row.fields[size_t(column)].text + "' is not a value for '" + std::string(name) + "'",
-					"write a whole number, or 2+ for two or more");
+					is_age ? "write an age in whole years, 0 to " + std::to_string(oldest_told) : "write a whole number, or 2+ for two or more");
 		}
 		return amount;
 	}
@@ -207,7 +218,7 @@ private:
 			return bad_columns(row, "a household needs at least one adult or elder");
 		}
 		if (grown + cells.minors.count > max_members) {
-			return bad_columns(row, "a household of " + std::to_string(grown + cells.minors.count) + " members is larger than " + std::to_string(max_members));
+			return problem_at(row, too_large_household());
 		}
 		if (cells.women.count + cells.men.count > grown) {
 			return bad_columns(row, "women and men together are more than adults and elders");

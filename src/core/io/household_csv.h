@@ -16,7 +16,7 @@
 // count only needs no line of names.
 namespace pcg {
 
-// Nothing after an error; each bad row is one, up to max_table_problems of them.
+// Nothing after an error; each bad row is one, up to max_table_problems of them. A household of more than max_members is a warning, and left out.
 std::optional<HouseholdTable> parse_household_table(std::string_view text, std::string_view file, Diagnostics &diagnostics);
 std::optional<HouseholdTable> read_household_table(const std::string &path, Diagnostics &diagnostics);
 

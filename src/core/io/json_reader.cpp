@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/utf8.h"
 #include "core/io/json_place.h"
 
 namespace pcg {
@@ -40,8 +41,8 @@ void set_place(Diagnostic &diagnostic, std::string_view text, size_t at) {
 	const size_t line_end = std::min(text.find('\n', at), text.size());
 	constexpr size_t longest = 2000; // a file without line breaks need not be shown
 	diagnostic.line = uint32_t(1 + std::count(before.begin(), before.end(), '\n'));
-	diagnostic.column = uint32_t(at - line_start + 1);
-	diagnostic.source = at - line_start < longest ? std::string(text.substr(line_start, std::min(line_end - line_start, longest))) : std::string();
+	diagnostic.column = uint32_t(count_characters(before.substr(line_start)) + 1);
+	diagnostic.source = at - line_start < longest ? std::string(first_bytes(text.substr(line_start, line_end - line_start), longest)) : std::string();
 }
 
 Diagnostic parse_diagnostic(std::string_view text, const std::string &file, size_t found) {

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/base/utf8.h"
 #include "core/io/atomic_file.h"
 
 namespace pcg {
@@ -137,14 +138,14 @@ private:
 	bool read_corner(std::string_view word) {
 		ObjModel::Corner corner;
 		if (!read_index(word.substr(0, word.find('/')), _model.positions.size(), corner.position)) {
-			error("`" + std::string(word.substr(0, 40)) + "` is not one of the " + std::to_string(_model.positions.size()) + " vertices so far",
+			error("`" + std::string(first_bytes(word, 40)) + "` is not one of the " + std::to_string(_model.positions.size()) + " vertices so far",
 					"vertices count from 1, or from -1 backwards");
 			return false;
 		}
 		const size_t slash = word.find('/');
 		const std::string_view uv = slash == std::string_view::npos ? std::string_view() : word.substr(slash + 1, word.find('/', slash + 1) - slash - 1);
 		if (!uv.empty() && !read_index(uv, _model.uvs.size(), corner.uv)) {
-			error("`" + std::string(word.substr(0, 40)) + "` is not one of the " + std::to_string(_model.uvs.size()) + " texture coordinates so far",
+			error("`" + std::string(first_bytes(word, 40)) + "` is not one of the " + std::to_string(_model.uvs.size()) + " texture coordinates so far",
 					"they count from 1, or from -1 backwards");
 			return false;
 		}
@@ -191,7 +192,7 @@ private:
 	void error(std::string message, std::string hint) {
 		++_errors;
 		Diagnostic diagnostic{ Severity::Error, "bad-obj", _file, _line, 1, std::move(message), std::move(hint), {} };
-		diagnostic.source = std::string(_line_text.substr(0, 200));
+		diagnostic.source = std::string(first_bytes(_line_text, 200));
 		_diagnostics.add(std::move(diagnostic));
 	}
 

@@ -32,6 +32,12 @@ struct Row {
 	Person person;
 };
 
+// What members of a household say of a look that all of them share.
+struct SharedLook {
+	std::string told; // by the first; empty: nobody
+	bool is_doubted = false;
+};
+
 struct Members {
 	std::vector<Row> rows;
 	const CsvRow *first_left_out = nullptr;
@@ -87,6 +93,7 @@ private:
 			return fail(row, column, "not-a-number", "'" + field + "' is not a value for '" + std::string(columns[column]) + "'",
 					column == AgeColumn		   ? "write years, 0 to 150"
 							: column == SpeedColumn ? "write metres per second, above 0 and not above 20"
+							: column == HomeColumn	? "write the id of a building, a whole number"
 													: "write a whole number, 0 or larger");
 		}
 		return true;
@@ -100,7 +107,7 @@ private:
 	}
 
 	bool home(const CsvRow &row, int64_t &value) {
-		if (!number<int64_t>(row, HomeColumn, 0, INT64_MAX, value)) {
+		if (!number<int64_t>(row, HomeColumn, INT64_MIN, INT64_MAX, value)) {
 			return false;
 		}
 		return _buildings == nullptr || is_valid(building(value)) ||
@@ -149,13 +156,14 @@ private:
 		household.member_count = uint16_t(members.rows.size());
 		household.family_name = uint32_t(looks.index(family_names().size()));
 		household.hair_color = draw_hair_color(looks);
-		std::string family, hair;
+		SharedLook family, hair;
 		for (const Row &row : members.rows) {
-			if (is_shared(*row.csv, FamilyNameColumn, family)) {
+			if (is_first_to_tell(*row.csv, FamilyNameColumn, family)) {
 				read_name(*row.csv, FamilyNameColumn, family_names(), household.family_name);
+				family.told = look(*row.csv, FamilyNameColumn);
 			}
-			if (is_shared(*row.csv, HairColumn, hair)) {
-				read_color(*row.csv, HairColumn, hair_colors(), household.hair_color);
+			if (is_first_to_tell(*row.csv, HairColumn, hair) && read_color(*row.csv, HairColumn, hair_colors(), household.hair_color)) {
+				hair.told = look(*row.csv, HairColumn);
 			}
 			add_person(row, HouseholdId(uint32_t(index)), looks);
 		}
@@ -195,20 +203,25 @@ private:
 		return _look_column[column] < 0 ? nothing : row.fields[size_t(_look_column[column])].text;
 	}
 
-	// Of the whole household: all members that tell it tell the same. `told` is what those before said. False if there is nothing new.
-	bool is_shared(const CsvRow &row, LookColumn column, std::string &told) {
+	// Whether it is to be read. Who tells another one afterwards is not followed, which is told of the first.
+	bool is_first_to_tell(const CsvRow &row, LookColumn column, SharedLook &shared) {
 		const std::string &text = look(row, column);
-		if (text.empty() || text == told) {
-			return false;
+		if (shared.told.empty() || text.empty()) {
+			return !text.empty();
 		}
-		if (!told.empty()) {
-			_diagnostics.add(_csv.at(row, size_t(_look_column[column]), "two-looks",
-					"another member of the household has the " + std::string(look_columns[column]) + " '" + told + "'",
-					"write the same for all members, or leave it empty"));
-			return false;
+		if (text != shared.told && !shared.is_doubted) {
+			shared.is_doubted = true;
+			warn(row, column, "two-looks",
+					"the " + std::string(look_columns[column]) + " of a household is that of its first member who has one, '" + shared.told + "', not '" + text + "'",
+					"write the same for all members, or leave it empty");
 		}
-		told = text;
-		return true;
+		return false;
+	}
+
+	void warn(const CsvRow &row, LookColumn column, std::string_view id, std::string message, std::string hint) {
+		Diagnostic diagnostic = _csv.at(row, size_t(_look_column[column]), id, std::move(message), std::move(hint));
+		diagnostic.severity = Severity::Warning;
+		_diagnostics.add(std::move(diagnostic));
 	}
 
 	// Names that are in no list are kept beside them.
@@ -229,26 +242,24 @@ private:
 		}
 	}
 
-	// As it was where the table says nothing, or no color, which is told.
-	void read_color(const CsvRow &row, LookColumn column, std::span<const NamedColor> list, uint8_t &index) {
+	// False, and as it was, where the table says nothing, or no color, which is told.
+	bool read_color(const CsvRow &row, LookColumn column, std::span<const NamedColor> list, uint8_t &index) {
 		const std::string &text = look(row, column);
 		if (text.empty()) {
-			return;
+			return false;
 		}
 		std::vector<std::string_view> known;
 		for (size_t i = 0; i < list.size(); ++i) {
 			known.push_back(list[i].name);
 			if (list[i].name == text) {
 				index = uint8_t(i);
-				return;
+				return true;
 			}
 		}
 		const std::string_view closest = closest_name(text, known);
-		Diagnostic diagnostic = _csv.at(row, size_t(_look_column[column]), "unknown-look",
-				"there is no " + std::string(look_columns[column]) + " '" + text + "', so another color is drawn",
+		warn(row, column, "unknown-look", "there is no " + std::string(look_columns[column]) + " '" + text + "', so it counts as empty",
 				closest.empty() ? "leave the column empty, or write " + std::string(known.front()) : "did you mean '" + std::string(closest) + "'?");
-		diagnostic.severity = Severity::Warning;
-		_diagnostics.add(std::move(diagnostic));
+		return false;
 	}
 
 	const CsvTable &_csv;

@@ -1,6 +1,7 @@
 #include "core/lang/attribute_override.h"
 
 #include <charconv>
+#include <cmath>
 #include <vector>
 
 #include "core/lang/lexer.h"
@@ -92,6 +93,12 @@ std::optional<Diagnostic> attribute_problem(const Program &program, const Attrib
 		problem.id = "attribute-type";
 		problem.message = "'" + attribute.name + "' is " + std::string(type_name(info.type)) + " in the rules, not " + std::string(type_name(given));
 		problem.hint = "give it a value of that type";
+		return problem;
+	}
+	if (const double *number = std::get_if<double>(&attribute.value); number != nullptr && !std::isfinite(*number)) {
+		problem.id = "attribute-not-finite";
+		problem.message = "'" + attribute.name + "' is given " + value_text(Value::of(*number)) + ", which rules cannot reckon with";
+		problem.hint = "give it a number that is finite";
 		return problem;
 	}
 	return std::nullopt;

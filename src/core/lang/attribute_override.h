@@ -23,7 +23,8 @@ struct AttributeOverride {
 // What a text, such as a command line's, means to the attribute: 5 may be a number or a text, 8h30m is 30600 where the language has units of time.
 AttributeValue attribute_value(const Program &program, std::string_view name, std::string_view text);
 
-// An error if the rules cannot take it: they have no such attribute (with the closest that they have), it is const, or of another type.
+// An error if the rules cannot take it: they have no such attribute (with the closest that they have), it is const, of another
+// type, or a number that is not finite.
 std::optional<Diagnostic> attribute_problem(const Program &program, const AttributeOverride &attribute);
 
 // Holds for all runs. False, and nothing changes, if there is a problem.

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 
 #include "core/lang/compiler.h"
 
@@ -52,20 +53,30 @@ void Compiler::check_annotations() {
 	if (!is_strict() || _dialect.annotations.empty()) {
 		return;
 	}
-	std::vector<std::string_view> known;
-	for (const AnnotationSpec &spec : _dialect.annotations) {
-		known.push_back(spec.name);
-	}
 	for (size_t i = 0; i < _definitions.size(); ++i) {
 		open_scope(_definitions[i]);
-		for (const AstAnnotation &annotation : _definitions[i].item->annotations) {
-			if (std::ranges::find(known, annotation.name) != known.end()) {
-				continue;
-			}
-			const std::string_view closest = closest_name(annotation.name, known);
-			warn("unknown-annotation", annotation.offset, "there is no annotation `@" + std::string(annotation.name) + "`; it means nothing",
-					closest.empty() ? std::string() : "did you mean `@" + std::string(closest) + "`?");
+		const std::vector<AstAnnotation> &annotations = _definitions[i].item->annotations;
+		for (size_t at = 0; at < annotations.size(); ++at) {
+			check_annotation(annotations[at], std::span(annotations).first(at));
 		}
+	}
+}
+
+void Compiler::check_annotation(const AstAnnotation &annotation, std::span<const AstAnnotation> before) {
+	const std::string name = "`@" + std::string(annotation.name) + "`";
+	const auto spec = std::ranges::find(_dialect.annotations, annotation.name, &AnnotationSpec::name);
+	if (spec == _dialect.annotations.end()) {
+		std::vector<std::string_view> known;
+		std::ranges::transform(_dialect.annotations, std::back_inserter(known), &AnnotationSpec::name);
+		const std::string_view closest = closest_name(annotation.name, known);
+		warn("unknown-annotation", annotation.offset, "there is no annotation " + name + "; it means nothing",
+				closest.empty() ? std::string() : "did you mean `@" + std::string(closest) + "`?");
+	} else if (!spec->arguments.empty()) {
+		return;
+	} else if (!annotation.arguments.empty()) {
+		warn("annotation-arguments", annotation.offset, name + " takes no arguments; they mean nothing");
+	} else if (std::ranges::find(before, annotation.name, &AstAnnotation::name) != before.end()) {
+		warn("repeated-annotation", annotation.offset, name + " stands here twice");
 	}
 }
 

@@ -115,7 +115,7 @@ void Compiler::chance_command(const Command &command) {
 			break;
 		}
 		shares.push_back(branch.condition);
-		expression(branch.condition);
+		share(branch.condition);
 		const uint32_t next = emit_jump(OpCode::ChanceJump, _scope.ast->exprs[branch.condition].offset, -2);
 		body(branch.body);
 		ends.push_back(emit_jump(OpCode::Jump, branch.offset, 1));
@@ -287,23 +287,16 @@ uint32_t Compiler::block(uint32_t id, BlockKind kind) {
 	return index;
 }
 
-// False: what stands there is the condition alone, and not a command that could be wrong.
+// False: the entry has no commands, because of a mistake that the parser has told.
 bool Compiler::check_head(const AstEntry &source, BlockKind kind) {
 	const bool has_head = source.head != no_node;
-	if (source.depth != no_node && kind == BlockKind::Predicates) {
-		complain("unexpected-depth", _scope.ast->exprs[source.depth].offset, "a second `:` means something in blocks of sizes only");
-	}
 	if (has_head && kind == BlockKind::Bodies) {
 		complain("unexpected-head", source.offset, "nothing is selected here: this block holds commands only");
 	}
-	if (has_head || (kind != BlockKind::Predicates && kind != BlockKind::Selectors)) {
-		return true;
+	if (!has_head && kind == BlockKind::Selectors) {
+		complain("missing-head", source.offset, "a selector and `:` belong in front of the commands", "for all: { all: .. }");
 	}
-	const bool is_condition = kind == BlockKind::Predicates;
-	complain("missing-head", source.offset,
-			is_condition ? "a condition and `:` belong in front of the commands" : "a selector and `:` belong in front of the commands",
-			is_condition ? "for everybody: { true: .. }" : "for all: { all: .. }");
-	return !is_strict() || _has_value_blocks || !is_value_alone(source.body);
+	return has_head || kind != BlockKind::Predicates;
 }
 
 BlockEntry Compiler::block_entry(const AstEntry &source, BlockKind kind) {
@@ -336,16 +329,6 @@ BlockEntry Compiler::block_entry(const AstEntry &source, BlockKind kind) {
 	}
 	entry.body = _has_value_blocks ? value_chunk(source.body, false) : body_chunk(source.body, source.offset);
 	return entry;
-}
-
-// One name that is neither a rule nor an operation.
-bool Compiler::is_value_alone(uint32_t body) const {
-	const auto commands = _scope.ast->list(_scope.ast->bodies[body].commands);
-	if (commands.size() != 1) {
-		return false;
-	}
-	const Command &only = _scope.ast->commands[commands[0]];
-	return only.kind == CommandKind::Call && !_set.has_rule(_scope.space, only.name) && !_dialect.has_operation(only.name) && only.name != "set";
 }
 
 // What gives a value without arguments: of the rule set, a parameter, or built in.

@@ -293,6 +293,15 @@ Compiler::Known Compiler::case_expression(const Expr &expr) {
 	return known == last ? known : ValueType::Void;
 }
 
+void Compiler::share(uint32_t expr) {
+	const uint32_t begin = here();
+	Value constant;
+	expression(expr);
+	if (ends_in_constant(begin, constant) && constant.is_number() && constant.number < 0.0) {
+		warn("negative-share", _scope.ast->exprs[expr].offset, "a share below 0 is never chosen");
+	}
+}
+
 void Compiler::warn_shares(std::span<const uint32_t> shares) {
 	double sum = 0.0;
 	for (uint32_t share : shares) {
@@ -315,7 +324,7 @@ Compiler::Known Compiler::chance_expression(const Expr &expr) {
 	emit(OpCode::Draw, expr.offset, 1);
 	for (size_t i = 0; i + 1 < parts.size(); i += 2) {
 		shares.push_back(parts[i]);
-		expression(parts[i]);
+		share(parts[i]);
 		const uint32_t next = emit_jump(OpCode::ChanceJump, _scope.ast->exprs[parts[i]].offset, -2);
 		const Known value = expression(parts[i + 1]);
 		known = i == 0 || known == value ? value : ValueType::Void;

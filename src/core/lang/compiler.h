@@ -121,6 +121,7 @@ private:
 	bool fold_call(const FunctionSpec &spec, uint32_t begin, uint32_t depth, size_t count, uint32_t offset);
 	Chunk value_chunk(uint32_t expr, bool is_size);
 	bool makes_no_frames() const;
+	void share(uint32_t expr);
 	void warn_shares(std::span<const uint32_t> shares);
 
 	// compile_name.cpp
@@ -162,7 +163,6 @@ private:
 	void chance_command(const Command &command);
 	uint32_t block(uint32_t block, BlockKind kind);
 	BlockEntry block_entry(const AstEntry &entry, BlockKind kind);
-	bool is_value_alone(uint32_t body) const;
 	bool check_head(const AstEntry &entry, BlockKind kind);
 	BlockEntry entry_with_head(const AstEntry &entry, BlockKind kind);
 	Chunk missing_size(const AstEntry &entry);
@@ -174,6 +174,7 @@ private:
 
 	// check_declarations.cpp
 	void check_annotations();
+	void check_annotation(const AstAnnotation &annotation, std::span<const AstAnnotation> before);
 	void mark_start_rules();
 	uint32_t mark_start_rules(bool in_main_file); // how many there are
 	void check_start_rule(const Definition &definition);

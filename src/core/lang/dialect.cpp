@@ -60,6 +60,10 @@ bool Dialect::takes_rule(std::string_view operation_name) const {
 	return std::ranges::any_of(operations, [&](const OperationSpec &spec) { return spec.takes_rule && spec.name == operation_name; });
 }
 
+bool Dialect::takes_conditions(std::string_view operation_name) const {
+	return std::ranges::any_of(operations, [&](const OperationSpec &spec) { return spec.block == BlockKind::Predicates && spec.name == operation_name; });
+}
+
 void add_annotations(Dialect &dialect) {
 	std::vector<AnnotationSpec> &annotations = dialect.annotations;
 	annotations.push_back({ "StartRule", "", "Marks the rule that begins." });

@@ -161,6 +161,8 @@ struct Dialect {
 	bool has_operation(std::string_view name) const;
 	// Whether an operation of this name is one with OperationSpec::takes_rule.
 	bool takes_rule(std::string_view operation_name) const;
+	// Whether an operation of this name has a block of conditions.
+	bool takes_conditions(std::string_view operation_name) const;
 };
 
 // Those of start rules and of attributes: shared by all dialects.

@@ -33,6 +33,7 @@ private:
 	void read_name();
 	void read_number();
 	void read_time(size_t number_end);
+	double out_of_range(size_t end);
 	void read_string();
 	bool read_symbol();
 	void read_unknown();
@@ -212,12 +213,15 @@ void Lexer::read_number() {
 	const std::string digits(_text.substr(_at, end - _at));
 	double value = 0.0;
 	const auto parsed = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-	if (parsed.ec == std::errc::result_out_of_range) {
-		error("number-range", _at, "the number `" + digits + "` is beyond what a number can hold", "at most about 1e308");
-		value = NAN;
-	}
+	value = parsed.ec == std::errc::result_out_of_range ? out_of_range(end) : value;
 	add(TokenKind::Number, end - _at);
 	_list.tokens.back().number = value;
+}
+
+// Told of the number that ends there, which is none then.
+double Lexer::out_of_range(size_t end) {
+	error("number-range", _at, "the number `" + std::string(_text.substr(_at, end - _at)) + "` is beyond what a number can hold", "at most about 1e308");
+	return NAN;
 }
 
 // 8h, 5m, 30s, 8h30m: units from large to small, each once.
@@ -226,13 +230,13 @@ void Lexer::read_time(size_t number_end) {
 	double seconds = 0.0;
 	size_t unit = 0;
 	size_t start = _at, end = number_end;
-	bool is_good = true;
+	bool is_good = true, is_in_range = true;
 	while (is_good) {
 		while (unit < units.size() && units[unit].first != at(end)) {
 			++unit;
 		}
 		double value = 0.0;
-		std::from_chars(_text.data() + start, _text.data() + end, value);
+		is_in_range &= std::from_chars(_text.data() + start, _text.data() + end, value).ec != std::errc::result_out_of_range;
 		is_good = unit < units.size();
 		if (is_good) {
 			seconds += value * units[unit++].second;
@@ -253,6 +257,8 @@ void Lexer::read_time(size_t number_end) {
 		seconds = NAN;
 		error("bad-unit", _at, "`" + std::string(_text.substr(_at, end - _at)) + "` is not a time",
 				"units are h, m and s, larger ones first: 8h, 5m, 30s, 8h30m");
+	} else if (!is_in_range || !std::isfinite(seconds)) {
+		seconds = out_of_range(end);
 	}
 	add(TokenKind::Number, end - _at);
 	_list.tokens.back().number = seconds;

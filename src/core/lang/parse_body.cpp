@@ -2,7 +2,7 @@
 
 #include "core/lang/parser.h"
 
-// Successors: commands, chains, groups, selector blocks.
+// Successors: commands, chains, groups.
 namespace pcg {
 
 uint32_t Parser::add(Command command) {
@@ -92,7 +92,11 @@ uint32_t Parser::parse_branch(uint32_t condition, uint32_t offset, Chains chains
 	Branch branch;
 	branch.condition = condition;
 	branch.offset = offset;
-	expect(TokenKind::Colon, condition == no_node ? "after `else`" : "after the condition");
+	if (condition == no_node) {
+		expect(TokenKind::Colon, "after `else`");
+	} else {
+		expect_condition_end();
+	}
 	branch.body = parse_body(chains);
 	_ast.branches.push_back(branch);
 	return uint32_t(_ast.branches.size() - 1);
@@ -160,7 +164,7 @@ uint32_t Parser::parse_command() {
 	if (is(TokenKind::Name)) {
 		return parse_call();
 	}
-	unexpected("a command");
+	error("syntax", peek(), "expected a command, " + found_text(peek()), is(TokenKind::Or) ? "a single `|` parts the entries of a block" : "");
 	return add_nothing();
 }
 
@@ -228,12 +232,13 @@ uint32_t Parser::parse_call() {
 	if (is(TokenKind::Name) && !is_keyword(text(peek())) && _dialect.takes_rule(command.name)) {
 		command.block = parse_rule_as_block();
 	} else if (is(TokenKind::OpenBrace) && !_panic) {
-		command.block = parse_block();
+		const bool has_conditions = _dialect.takes_conditions(command.name);
+		command.block = parse_block(has_conditions);
 		if (accept(TokenKind::Star)) {
 			_ast.blocks[command.block].is_repeated = true;
 		}
 		if (is(TokenKind::OpenBrace) && !_panic) {
-			command.second_block = parse_block();
+			command.second_block = parse_block(has_conditions);
 		}
 	}
 	return add(command);
@@ -246,110 +251,6 @@ uint32_t Parser::parse_import_call_command(Command command) {
 	command.arguments = _ast.exprs[call].children;
 	command.block = _ast.exprs[call].block;
 	return add(command);
-}
-
-uint32_t Parser::parse_rule_as_block() {
-	AstBlock block;
-	Depth depth(*this);
-	AstEntry entry;
-	entry.offset = block.offset = peek().offset;
-	entry.body = add_body(depth.is_fine() ? std::vector<uint32_t>{ parse_command() } : std::vector<uint32_t>{});
-	_ast.entries.push_back(entry);
-	block.entries = add_children({ uint32_t(_ast.entries.size() - 1) });
-	_ast.blocks.push_back(block);
-	return uint32_t(_ast.blocks.size() - 1);
-}
-
-uint32_t Parser::parse_block() {
-	AstBlock block;
-	const uint32_t open = _at;
-	block.offset = take().offset;
-	std::vector<uint32_t> entries;
-	Depth depth(*this);
-	const Inside inside(*this, open);
-	if (depth.is_fine() && !is(TokenKind::CloseBrace)) {
-		do {
-			entries.push_back(parse_entry());
-		} while (!_panic && accept(TokenKind::Bar));
-	}
-	if (!is(TokenKind::CloseBrace) && !_panic) {
-		unexpected("`|` or `}`");
-	}
-	recover_behind(open);
-	accept(TokenKind::CloseBrace);
-	block.entries = add_children(entries);
-	_ast.blocks.push_back(block);
-	return uint32_t(_ast.blocks.size() - 1);
-}
-
-// Whether the entry is `head : body` or a body alone: looks for a separator outside of brackets that no branch of a chain owns. A head may be a
-// chain itself: `case wide : 3 else : 2 : Wall`.
-bool Parser::has_head() const {
-	uint32_t open_branches = 0;
-	for (uint32_t i = _at; i < _tokens.size();) {
-		const Token &token = _tokens[i];
-		switch (token.kind) {
-			case TokenKind::Colon:
-				if (_tokens[i - 1].kind == TokenKind::Percent) {
-					break;
-				}
-				if (open_branches == 0) {
-					return true;
-				}
-				--open_branches;
-				break;
-			case TokenKind::Assign:
-			case TokenKind::ConnectedAssign:
-				return open_branches == 0;
-			case TokenKind::Name:
-				open_branches += is_keyword(text(token)) ? 1 : 0;
-				break;
-			case TokenKind::Bar:
-			case TokenKind::CloseBrace:
-			case TokenKind::CloseBracket:
-			case TokenKind::CloseParen:
-			case TokenKind::End:
-				return false;
-			case TokenKind::OpenParen:
-			case TokenKind::OpenBrace:
-			case TokenKind::OpenBracket:
-				if (token.match == 0) {
-					return false;
-				}
-				break;
-			default:
-				break;
-		}
-		i = (token.match > i ? token.match : i) + 1;
-	}
-	return false;
-}
-
-uint32_t Parser::parse_entry() {
-	AstEntry entry;
-	entry.offset = peek().offset;
-	if (is(TokenKind::OpenBrace)) {
-		entry.kind = AstEntry::Kind::Group;
-		entry.block = parse_block();
-		if (accept(TokenKind::Star)) {
-			entry.kind = AstEntry::Kind::Repeat;
-			_ast.blocks[entry.block].is_repeated = true;
-		}
-	} else {
-		if (has_head()) {
-			entry.head = parse_expression();
-			entry.separator = peek().kind;
-			if (!accept(TokenKind::Colon) && !accept(TokenKind::Assign) && !accept(TokenKind::ConnectedAssign)) {
-				unexpected("`:` between what is selected and its commands");
-			} else if (!is_word("case") && has_head()) {
-				entry.depth = parse_expression();
-				expect(TokenKind::Colon, "after the depth");
-			}
-		}
-		entry.body = parse_body({});
-	}
-	_ast.entries.push_back(entry);
-	return uint32_t(_ast.entries.size() - 1);
 }
 
 } // namespace pcg

@@ -134,7 +134,7 @@ uint32_t Parser::parse_case_expression() {
 	while (is_word("case") && !_panic) {
 		take();
 		children.push_back(parse_expression());
-		expect(TokenKind::Colon, "after the condition");
+		expect_condition_end();
 		children.push_back(parse_expression());
 	}
 	if (!is_word("else")) {
@@ -256,7 +256,7 @@ uint32_t Parser::parse_primary() {
 		case TokenKind::OpenBracket:
 			return parse_array();
 		case TokenKind::Name:
-			if (!is_keyword(text(peek())) && !starts_item()) {
+			if (!is_keyword(text(peek())) && (!starts_item() || is_compared_wrongly())) {
 				return parse_name();
 			}
 			break;
@@ -266,6 +266,9 @@ uint32_t Parser::parse_primary() {
 	unexpected("a value");
 	return error_expr();
 }
+
+// `case a = b:` stands in one line; a value begins one.
+bool Parser::is_compared_wrongly() const { return !peek().starts_line && _tokens[behind_name(_at)].kind == TokenKind::Assign; }
 
 uint32_t Parser::parse_name() {
 	Expr expr;

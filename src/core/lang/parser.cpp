@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/utf8.h"
+
 namespace pcg {
 
 Ast parse(const Source &source, const Dialect &dialect, Diagnostics &diagnostics) {
@@ -28,7 +30,7 @@ std::string Parser::found_text(const Token &token) const {
 	if (token.kind == TokenKind::End) {
 		return "the file ends";
 	}
-	std::string found(text(token).substr(0, 40));
+	const std::string found(first_bytes(text(token), 40));
 	return "found `" + found.substr(0, found.find('\n')) + "`";
 }
 
@@ -55,6 +57,15 @@ bool Parser::expect(TokenKind kind, std::string_view where) {
 	}
 	unexpected("`" + std::string(token_kind_name(kind)) + "` " + std::string(where));
 	return false;
+}
+
+// Of a `case`, or of an entry of a block.
+void Parser::expect_condition_end() {
+	if (is(TokenKind::Assign)) {
+		error("syntax", peek(), "expected `==`, found `=`", "two values are compared with `==`");
+	} else {
+		expect(TokenKind::Colon, "after the condition");
+	}
 }
 
 bool Parser::is_keyword(std::string_view name) const { return name == "case" || name == "else"; }
@@ -121,18 +132,18 @@ bool Parser::is_with(uint32_t at) const {
 			_tokens[at + 1].kind == TokenKind::OpenParen;
 }
 
+// What stands behind a name and its parameters.
+uint32_t Parser::behind_name(uint32_t name) const {
+	const uint32_t next = name + 1; // the end of the file at most
+	return _tokens[next].kind == TokenKind::OpenParen && _tokens[next].match != 0 ? _tokens[next].match + 1 : next;
+}
+
 // ID --> | ID = | ID (..) --> | ID (..) = | the same with `with (` in between.
 bool Parser::starts_definition(uint32_t at) const {
 	if (_tokens[at].kind != TokenKind::Name || is_keyword(text(_tokens[at]))) {
 		return false;
 	}
-	uint32_t next = at + 1;
-	if (next < _tokens.size() && _tokens[next].kind == TokenKind::OpenParen && _tokens[next].match != 0) {
-		next = _tokens[next].match + 1;
-	}
-	if (next >= _tokens.size()) {
-		return false;
-	}
+	const uint32_t next = behind_name(at);
 	const TokenKind kind = _tokens[next].kind;
 	return kind == TokenKind::Arrow || kind == TokenKind::PaperArrow || kind == TokenKind::Assign || is_with(next);
 }

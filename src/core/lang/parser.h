@@ -35,6 +35,7 @@ private:
 	const Token &take() { return _tokens[_at + 1 < _tokens.size() ? _at++ : _at]; }
 	bool accept(TokenKind kind);
 	bool expect(TokenKind kind, std::string_view where);
+	void expect_condition_end();
 	void error(std::string_view id, const Token &token, std::string message, std::string hint = {});
 	void unexpected(std::string_view wanted);
 	std::string found_text(const Token &token) const;
@@ -44,6 +45,7 @@ private:
 
 	bool starts_item() const;
 	bool starts_definition(uint32_t at) const;
+	uint32_t behind_name(uint32_t name) const;
 	bool is_with(uint32_t at) const;
 	void synchronize();
 
@@ -79,12 +81,17 @@ private:
 	uint32_t parse_inline();
 	uint32_t parse_import_call_command(Command command);
 	uint32_t parse_group();
-	uint32_t parse_rule_as_block();
-	uint32_t parse_block();
-	uint32_t parse_entry();
-	bool has_head() const;
 	uint32_t add(Command command);
 	uint32_t add_body(const std::vector<uint32_t> &commands);
+
+	// parse_block.cpp
+	uint32_t parse_rule_as_block();
+	uint32_t parse_block(bool has_conditions);
+	void recover_in_block(uint32_t open);
+	uint32_t find_separator(bool in_body) const;
+	uint32_t parse_entry(bool has_conditions);
+	void parse_head(AstEntry &entry);
+	void parse_condition(AstEntry &entry);
 
 	// parse_expression.cpp
 	uint32_t parse_expression();
@@ -94,6 +101,7 @@ private:
 	uint32_t parse_unary();
 	uint32_t parse_postfix();
 	uint32_t parse_primary();
+	bool is_compared_wrongly() const;
 	uint32_t parse_name();
 	std::vector<uint32_t> parse_arguments();
 	bool is_import_call(uint32_t open) const;

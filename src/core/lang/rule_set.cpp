@@ -290,6 +290,12 @@ bool Loader::wins(const Definition &definition, const Definition &older, uint32_
 		report_duplicate(definition, older, name);
 		return false;
 	}
+	if (is_strict() && !is_from_importer) { // from an import of its own name may_replace() has looked
+		const Definition &winner = new_depth < old_depth ? definition : older, &loser = new_depth < old_depth ? older : definition;
+		if (loser.item->kind == AstItem::Kind::Constant) {
+			report_constant(*_set.files[_set.modules[winner.module].file], winner.offset, name);
+		}
+	}
 	return is_from_importer ? older.is_default_style : new_depth < old_depth;
 }
 

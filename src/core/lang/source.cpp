@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/utf8.h"
+
 namespace pcg {
 
 Source::Source(std::string name, std::string text) : _name(std::move(name)), _text(std::move(text)) {
@@ -11,13 +13,19 @@ Source::Source(std::string name, std::string text) : _name(std::move(name)), _te
 		if (_text[i] == '\n' || is_lone_return) {
 			_line_starts.push_back(uint32_t(i + 1));
 		}
+		if (!starts_character(_text[i])) {
+			_inner_bytes.push_back(uint32_t(i));
+		}
 	}
 }
 
 Source::Position Source::position(uint32_t offset) const {
 	const auto after = std::upper_bound(_line_starts.begin(), _line_starts.end(), offset);
 	const uint32_t line = uint32_t(after - _line_starts.begin());
-	return { line, offset - _line_starts[line - 1] + 1 };
+	const uint32_t start = _line_starts[line - 1];
+	const auto inner = std::lower_bound(_inner_bytes.begin(), _inner_bytes.end(), start);
+	const auto inner_end = std::lower_bound(inner, _inner_bytes.end(), offset);
+	return { line, offset - start - uint32_t(inner_end - inner) + 1 };
 }
 
 std::string_view Source::line(uint32_t line_number) const {
@@ -39,8 +47,8 @@ Diagnostic Source::diagnostic(Severity severity, std::string_view id, uint32_t o
 }
 
 std::string Source::excerpt(uint32_t line_number, uint32_t column) const {
-	constexpr uint32_t longest = 2000; // a diagnostic holds it for good, and there may be hundreds
-	return column > longest ? std::string() : std::string(line(line_number).substr(0, longest));
+	constexpr uint32_t longest = 2000; // bytes: a diagnostic holds it for good, and there may be hundreds
+	return column > longest ? std::string() : std::string(first_bytes(line(line_number), longest));
 }
 
 namespace {

@@ -15,7 +15,7 @@ class Source {
 public:
 	struct Position {
 		uint32_t line = 1; // from 1
-		uint32_t column = 1; // from 1, in bytes
+		uint32_t column = 1; // from 1, in characters
 	};
 
 	Source(std::string name, std::string text);
@@ -34,6 +34,7 @@ private:
 	std::string _name;
 	std::string _text;
 	std::vector<uint32_t> _line_starts;
+	std::vector<uint32_t> _inner_bytes; // offsets of those that go on with a character
 };
 
 // Makes text of the bytes of a file: drops a byte order mark, reads what is not UTF-8 as Latin-1 with one warning. Refuses, with one error each,

@@ -51,6 +51,7 @@ bool is_plural(std::string_view word) {
 }
 
 std::optional<int> number_of(std::string_view word) {
+	constexpr int most_told = 1'000'000; // of digits; far beyond any household or age
 	constexpr std::array<std::string_view, 11> names{ "no", "one", "two", "three", "four", "five", "six", "seven", "eight",
 		"nine", "ten" };
 	for (size_t i = 0; i < names.size(); ++i) {
@@ -61,12 +62,12 @@ std::optional<int> number_of(std::string_view word) {
 	if (word == "a" || word == "an") {
 		return 1;
 	}
-	if (word.empty() || word.size() > 3 || !std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; })) {
+	if (word.empty() || !std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; })) {
 		return std::nullopt;
 	}
 	int number = 0;
 	for (char c : word) {
-		number = number * 10 + (c - '0');
+		number = std::min(number * 10 + (c - '0'), most_told);
 	}
 	return number;
 }

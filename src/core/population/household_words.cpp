@@ -16,10 +16,13 @@ public:
 	Reader(std::string_view descriptor, int adult_from) : _words(split_words(descriptor)), _adult_from(adult_from) {}
 
 	Result<HouseholdPattern> read() {
-		while (_at < _words.size() && _problem.empty()) {
+		while (_at < _words.size() && _problem.empty() && !_is_too_large) {
 			read_next();
 		}
 		check();
+		if (_is_too_large) {
+			return too_large_household();
+		}
 		if (!_problem.empty()) {
 			Diagnostic diagnostic;
 			diagnostic.id = "unknown-household-words";
@@ -103,7 +106,7 @@ private:
 		}
 		++_at;
 		if (*number > max_members) {
-			_problem = "a household of " + std::to_string(*number) + " members is larger than " + std::to_string(max_members);
+			_is_too_large = true;
 			return true;
 		}
 		flush_count();
@@ -285,7 +288,7 @@ private:
 	}
 
 	void check() {
-		if (!_problem.empty()) {
+		if (!_problem.empty() || _is_too_large) {
 			return;
 		}
 		flush_count();
@@ -299,8 +302,8 @@ private:
 			_problem = total == 0 ? "this names nobody who lives in the household" : "a household needs at least one adult";
 		} else if (_is_alone && total != 1) {
 			_problem = "'alone' does not go with " + std::to_string(total) + " members";
-		} else if (total > max_members) {
-			_problem = "a household of " + std::to_string(total) + " members is larger than " + std::to_string(max_members);
+		} else {
+			_is_too_large = total > max_members && _problem.empty();
 		}
 	}
 
@@ -311,6 +314,7 @@ private:
 	size_t _at = 0;
 	HouseholdPattern _pattern;
 	std::string _problem;
+	bool _is_too_large = false;
 	size_t _last_group = 0; // ages that follow belong to the groups from here on
 	int _count = -1; // the number read before the noun it belongs to; -1 = none
 	bool _is_open = false;
@@ -320,6 +324,15 @@ private:
 };
 
 } // namespace
+
+Diagnostic too_large_household() {
+	Diagnostic diagnostic;
+	diagnostic.severity = Severity::Warning;
+	diagnostic.id = "household-too-large";
+	diagnostic.message = "a household larger than " + std::to_string(max_members) + " members is left out";
+	diagnostic.hint = "write smaller households in its place";
+	return diagnostic;
+}
 
 Result<HouseholdPattern> read_household_words(std::string_view descriptor, int adult_from) {
 	Result<HouseholdPattern> result = Reader(descriptor, adult_from).read();

@@ -81,16 +81,26 @@ private:
 	void report(Diagnostics &diagnostics) const {
 		if (_too_large > 0) {
 			diagnostics.warning("homes-too-small",
-					std::to_string(_too_large) + " households were larger than the largest home, which takes " +
-							std::to_string(_homes.largest()) + " persons, and were drawn again",
+					std::to_string(_too_large) + (_too_large == 1 ? " household was" : " households were") + " larger than the largest home, which takes " +
+							std::to_string(_homes.largest()) + (_homes.largest() == 1 ? " person" : " persons") + ", and drawn again",
 					"give some entrances of type '" + _options.home_type + "' a larger capacity");
 		}
 		if (_homeless > 0) {
-			diagnostics.warning("too-few-homes",
-					std::to_string(_population.persons.size() + _homeless) + " persons, but the homes of the city take " +
-							std::to_string(_homes.total()) + ": " + std::to_string(_homeless) + " were left out",
-					"ask for fewer persons, or give the city more homes or larger capacities");
+			diagnostics.warning("too-few-homes", homeless_text(), "ask for fewer persons, or give the city more homes or larger capacities");
 		}
+	}
+
+	// Both figures; places may be left although persons are.
+	std::string homeless_text() const {
+		const uint64_t persons = _population.persons.size() + _homeless;
+		const std::string left_out = std::to_string(_homeless) + (_homeless == 1 ? " was" : " were") + " left out";
+		const std::string free = std::to_string(_homes.free()) + (_homes.free() == 1 ? " place stays" : " places stay") +
+				" free, but no home has enough of them for a whole household";
+		if (persons <= _homes.total()) {
+			return std::to_string(persons) + " persons, of whom " + left_out + ": " + free;
+		}
+		return std::to_string(persons) + " persons, but the homes of the city take " + std::to_string(_homes.total()) + ": " + left_out +
+				(_homes.free() > 0 ? "; " + free : "");
 	}
 
 	void report_no_homes(Diagnostics &diagnostics) const {

@@ -214,6 +214,7 @@ private:
 	void begin_accompany(PersonId id, uint32_t group);
 	uint32_t call_party(uint32_t group, PersonId caller);
 	bool is_expected(PersonId id, uint32_t group, PersonId caller) const;
+	bool waits_in_vain(PersonId id) const;
 	void lead_on(uint32_t party);
 	void lead_on_or_end(uint32_t party);
 	bool is_with_leader(PersonId leader, PersonId joiner) const;

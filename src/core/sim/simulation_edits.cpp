@@ -202,9 +202,12 @@ void Simulation::take_in_agenda(PersonId id) {
 	}
 	person.entry_task = find_lived_entry(id);
 	person.entry_end = goes_on ? entry.end : _now;
-	if (person.is_in_group() && !goes_on) { // not before the group is over
-		schedule(id);
-		return;
+	if (person.is_in_group() && !goes_on) {
+		if (!waits_in_vain(id)) { // not before the group is over
+			schedule(id);
+			return;
+		}
+		leave_party(id);
 	}
 	if (!goes_on) {
 		close_span(id); // what was lived so far served the old entry

@@ -86,6 +86,14 @@ bool Simulation::is_expected(PersonId id, uint32_t group, PersonId caller) const
 	return _now < end && (id == caller || record(id).entry_start < start || record(id).entry_end <= _now);
 }
 
+// A joiner, for a leader who is not there and will not come.
+bool Simulation::waits_in_vain(PersonId id) const {
+	const uint32_t index = record(id).party;
+	const PersonId leader = _parties[index].leader;
+	const bool is_here = index_of(leader) < _persons.size() && record(leader).party == index;
+	return id != leader && !is_here && !is_expected(leader, _parties[index].group, id);
+}
+
 void Simulation::lead_on(uint32_t index) {
 	const PersonId leader = _parties[index].leader;
 	if (index_of(leader) >= _persons.size() || record(leader).party != index ||

@@ -30,6 +30,8 @@ const char *reason_name(Unmet reason) {
 			return "not-over";
 		case Unmet::Deserted:
 			return "deserted";
+		case Unmet::Leaderless:
+			return "leaderless";
 	}
 	return "";
 }
@@ -131,7 +133,7 @@ bool CitizenManager::tell_change(const AgendaChange &change) {
 	}
 	const uint64_t self = get_instance_id();
 	for (const DroppedTask &dropped : change.dropped) {
-		Dictionary entry = to_godot(dropped.task, life->agendas, *life->program);
+		Dictionary entry = to_godot(dropped.task, life->agendas, *life->program, dropped.day);
 		if (dropped.day) {
 			entry["day"] = *dropped.day;
 		}

@@ -121,7 +121,7 @@ TypedArray<Dictionary> CitizenManager::get_agenda(int p_person, int p_day) const
 	const DayMask days = p_day < 0 ? all_days : DayMask(1u << SimTime::at(p_day, {}).weekday());
 	for (const Task &task : p_day < 0 ? agenda.week : agenda.on(p_day)) {
 		if (task.days & days) {
-			result.push_back(to_godot(task, _life->agendas, *_life->program));
+			result.push_back(to_godot(task, _life->agendas, *_life->program, p_day < 0 ? std::nullopt : std::optional<int64_t>(p_day)));
 		}
 	}
 	return result;

@@ -78,9 +78,25 @@ TEST_CASE("a child that falls ill on Monday is not fetched on Monday") {
 TEST_CASE("a parent who cannot bring the child does not fetch it, and the child waits for nobody") {
 	Family family;
 	const AgendaChange change = family.insert(family.parent, stay(7, 9, family.home, monday));
-	REQUIRE(change.dropped.size() == 1);
-	CHECK(family.fixture.day_of(family.child, 0) == "07:50-08:00 accompany to 1; 08:00-16:00 stay 1");
+	REQUIRE(change.dropped.size() == 2);
+	CHECK(change.dropped[0].person == family.parent);
+	CHECK(change.dropped[0].reason == Unmet::Lost);
+	CHECK(change.dropped[1].person == family.child);
+	CHECK(change.dropped[1].reason == Unmet::Leaderless);
+	CHECK(change.dropped[1].task.kind == TaskKind::Accompany);
+	CHECK(change.dropped[1].task.days == monday);
+	CHECK(family.fixture.day_of(family.child, 0) == "07:50-08:00 go 1; 08:00-16:00 stay 1");
+	CHECK(family.fixture.day_of(family.child, 1).starts_with("07:50-08:00 accompany to 1; "));
 	CHECK(family.fixture.day_of(family.parent, 0) == "07:00-09:00 stay 0");
+}
+
+TEST_CASE("who walks with a leader on one day is told of that day") {
+	Family family;
+	const uint32_t group = family.fixture.agendas.tasks_of(family.child)[0].target;
+	REQUIRE(family.insert(family.child, stay(7, 9, family.home), 8).is_inserted);
+	CHECK(joiners_on_day(family.fixture.agendas, group, 1) == std::vector{ family.child });
+	CHECK(joiners_on_day(family.fixture.agendas, group, 8).empty());
+	CHECK(joiners_on_day(family.fixture.agendas, group, 15) == std::vector{ family.child });
 }
 
 TEST_CASE("entries inserted later can be named and required too") {
@@ -153,7 +169,8 @@ TEST_CASE("the week changes around what is for one day; what the newer entry of 
 	CHECK(family.fixture.day_of(family.child, 7).ends_with("18:00-19:00 stay 1; 19:00-21:00 stay 0"));
 	CHECK(family.fixture.day_of(family.child, 8).ends_with("16:10 accompany to 0; 19:00-21:00 stay 0"));
 	const AgendaChange change = family.insert(family.child, stay(0, 24, family.home, monday));
-	CHECK(change.dropped.size() == 2); // of every Monday, and of the one that was another
+	REQUIRE(change.dropped.size() == 1); // of every Monday: the one that was another is told with it
+	CHECK(!change.dropped[0].day);
 	CHECK(family.fixture.day_of(family.child, 7) == "00:00-24:00 stay 0");
 	CHECK(family.fixture.day_of(family.parent, 7) == "07:50-08:00 accompany to 1");
 	CHECK(family.fixture.agendas.agenda_of(family.child).single_days.empty()); // it is like the week now

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <atomic>
+#include <cmath>
 
 #include "agenda_fixture.h"
 
@@ -179,6 +180,9 @@ TEST_CASE("ids that rules cannot tell apart or take for none are counted from 0"
 	CHECK(fixture.day_of(PersonId(0)) == "01:00-02:00 stay 0");
 	REQUIRE(fixture.problems() == "no-building");
 	CHECK(fixture.diagnostics.list()[0].message.starts_with("household 9007199254740993: "));
+	CHECK(fixture.diagnostics.list()[0].hint ==
+			"an id of the city's file is below 0 or above 2^53, so rules count buildings from 0 in the order of the file: find one by its type, as in "
+			"findBuilding(\"school\")");
 }
 
 TEST_CASE("what a text means to an attribute depends on the rules; a value of another type or for a constant is told") {
@@ -201,6 +205,8 @@ TEST_CASE("what a text means to an attribute depends on the rules; a value of an
 	CHECK(problem_of("strat", 9.0) == "unknown-attribute: 'strat' is no attribute of the rules / did you mean 'start'?");
 	CHECK(problem_of("last", 9.0) == "const-attribute: 'last' is const in the rules and cannot be set from outside / declare it with attr");
 	CHECK(problem_of("start", "soon") == "attribute-type: 'start' is a number in the rules, not text / give it a value of that type");
+	CHECK(problem_of("start", double(NAN)).starts_with("attribute-not-finite: 'start' is given "));
+	CHECK(problem_of("anything", double(INFINITY)).starts_with("attribute-not-finite: "));
 	fixture.options.overrides = { { "start", true }, { "last", 1.0 } };
 	fixture.diagnostics = Diagnostics();
 	fixture.generate("attr start = 8h\nconst last = 9h\n@StartRule\nHousehold --> members { true: stayInside(start, last, home) }");

@@ -116,6 +116,22 @@ TEST_CASE("an entry that is required by every household's is told once with a co
 	CHECK(fixture.diagnostics.list()[0].message == "household 0: person 0 drops 'stayInside' at 00:00 (every day): nobody there has 'work', and the same 999 times more");
 }
 
+TEST_CASE("what is required in vain for different reasons is told for each") {
+	AgendaFixture fixture;
+	fixture.add_building("house", 0);
+	for (int i = 0; i < 10; ++i) {
+		fixture.add_household(BuildingId(0));
+		fixture.add_person(i < 3 ? 40 : 50);
+	}
+	REQUIRE(fixture.generate("@StartRule\nHousehold --> members { age == 50: task(\"work\") { stayInside(2h, 10h, home) } }\n"
+							 "members { true: after(\"work\") { stayInside(8h, 9h, home) } }"));
+	REQUIRE(fixture.problems() == "requirement-unmet requirement-unmet");
+	const std::vector<Diagnostic> &told = fixture.diagnostics.list();
+	CHECK(told[0].message == "household 0: person 0 drops 'stayInside' at 08:00 (every day): nobody there has 'work', and the same 2 times more");
+	CHECK(told[1].message == "household 3: person 3 drops 'stayInside' at 08:00 (every day): 'work' is not over by then, and the same 6 times more");
+	CHECK(told[1].hint == "let 'work' end before, or this begin later");
+}
+
 TEST_CASE("names without end are an error") {
 	AgendaFixture fixture;
 	fixture.add_building("house", 0);

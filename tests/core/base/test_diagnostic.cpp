@@ -14,6 +14,19 @@ TEST_CASE("a caret in a very long line shows the surroundings only") {
 	CHECK(to_text(diagnostic).size() < 500);
 }
 
+TEST_CASE("carets stand below characters, and no character is cut") {
+	const Diagnostic short_line{ Severity::Error, "x", "f", 1, 4, "m", "", "ñé x" };
+	CHECK(to_text(short_line).ends_with("\n    ñé x\n       ^"));
+	std::string line;
+	for (int i = 0; i < 300; ++i) {
+		line += "ñ";
+	}
+	const std::string text = to_text(Diagnostic{ Severity::Error, "x", "f", 1, 201, "m", "", line });
+	const size_t start = text.find("\n    ") + 5, end = text.find('\n', start);
+	CHECK(text.substr(start, end - start) == line.substr(0, 320));
+	CHECK(text.substr(end) == "\n    " + std::string(80, ' ') + "^");
+}
+
 TEST_CASE("diagnostics keep the first ones and count all, appending keeps the counts") {
 	Diagnostics many(2);
 	for (int i = 0; i < 5; ++i) {

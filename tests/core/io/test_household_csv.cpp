@@ -62,8 +62,30 @@ TEST_CASE("a bad row is one message with line and column and what to do") {
 	CHECK(problem_of("descriptor,count\n\"One man,5\n").id == "bad-quotes");
 	CHECK(problem_of("descriptor,count\nOne man,0\n").id == "no-households");
 	CHECK(problem_of("descriptor,count,adults,minors\nx,5,0,2\n").id == "bad-household");
-	CHECK(problem_of("descriptor,count,adults\nx,5,900\n").id == "not-a-number");
+	CHECK(problem_of("descriptor,count,adults,min_age\nx,5,2,900\n").hint == "write an age in whole years, 0 to 120");
+	CHECK(problem_of("descriptor,count,adults\nx,5,-99999999999\n").id == "not-a-number");
+	CHECK(problem_of("descriptor,count,adults\nx,5,2.5\n").id == "not-a-number");
 	CHECK(problem_of("descriptor,count,adults,women,men\nx,5,1,1,1\n").id == "bad-household");
+}
+
+TEST_CASE("a household of more than 20 is left out with a warning, and a table of nothing else is refused") {
+	const std::string rows = "descriptor,count,adults,minors\nok,5,1,1\nmany,1,15,6\nhuge,1,99999999999999999999,0\na household of 1000 adults,1,,\nfine,5,20,0\n";
+	Diagnostics diagnostics;
+	const auto table = parse_household_table(rows, "table.csv", diagnostics);
+	REQUIRE(table.has_value());
+	REQUIRE(table->patterns.size() == 2);
+	CHECK(table->patterns[1].descriptor == "fine");
+	std::string told;
+	for (const Diagnostic &diagnostic : diagnostics.list()) {
+		CHECK(diagnostic.severity == Severity::Warning);
+		told += std::to_string(diagnostic.line) + " " + std::string(diagnostic.id) + "; ";
+	}
+	CHECK(told == "3 household-too-large; 4 household-too-large; 5 household-too-large; ");
+	CHECK(diagnostics.list()[0].message == "\"many\": a household larger than 20 members is left out");
+	Diagnostics nothing_left;
+	CHECK_FALSE(parse_household_table("descriptor,count,adults\nhuge,1,70000\n", "table.csv", nothing_left).has_value());
+	REQUIRE(nothing_left.list().size() == 2);
+	CHECK(nothing_left.list()[1].message == "no row is left: all households are too large");
 }
 
 TEST_CASE("unknown wording names the row and what is understood") {

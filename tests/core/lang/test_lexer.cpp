@@ -37,6 +37,7 @@ TEST_CASE("names hold dots and dollars; a dot at the end makes a leaf symbol") {
 TEST_CASE("times have units from large to small") {
 	CHECK(tokens_of("8h 5m30s 8h30m15s 0.5h", true) == "8h=28800 5m30s=330 8h30m15s=30615 0.5h=1800");
 	CHECK(tokens_of("8x 5m3h 8h30 4hours", true).find("bad-unit 1:1; bad-unit 1:4; bad-unit 1:9; bad-unit 1:14") != std::string::npos);
+	CHECK(tokens_of("1e309h 1e308h 1h" + std::string(400, '9') + "m 2h", true).ends_with("=nan 2h=7200 | number-range 1:1; number-range 1:8; number-range 1:15"));
 }
 
 TEST_CASE("comments of three kinds, and marks inside of text") {

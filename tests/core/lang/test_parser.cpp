@@ -51,7 +51,7 @@ TEST_CASE("local values of rules and functions") {
 
 TEST_CASE("a mistake is told once and the rest is still read") {
 	CHECK(check_day("A --> log(1 +) log(2)\nB --> log(]\nC = \nD --> E") == "syntax 1:14; syntax 2:11; syntax 4:1; unknown-name 4:7");
-	CHECK(check_day("A --> members { age < : log(1) | true log(2) }\nB --> log(1") == "syntax 1:23; syntax 2:12");
+	CHECK(check_day("A --> members { age < : log(1) | true log(2) }\nB --> log(1") == "syntax 1:23; missing-head 1:34; syntax 2:12");
 	CHECK(check_day("A( --> log(1)\nB --> A") == "syntax 1:2");
 	CHECK(check_day("A --> ... log(1) ...\nB --> log(1)") == "ellipsis 1:7; ellipsis 1:18");
 	CHECK(check_day("== \nA --> log(1)\n)\nB --> log(2)") == "syntax 1:1; syntax 3:1");

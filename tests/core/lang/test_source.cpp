@@ -18,6 +18,19 @@ TEST_CASE("lines end as Unix, Windows and old Macs do") {
 	CHECK(source.position(8).line == 4);
 }
 
+TEST_CASE("columns count characters, and excerpts are not cut inside of one") {
+	const Source source("f", "a\nñ €x é\nb");
+	CHECK(source.position(4).column == 2); // the space behind ñ, of two bytes
+	CHECK(source.position(8).column == 4); // x, behind € of three
+	CHECK(source.position(8).line == 2);
+	CHECK(source.position(13).column == 1);
+	std::string wide = "a";
+	for (int i = 0; i < 1500; ++i) {
+		wide += "é";
+	}
+	CHECK(Source("f", wide).excerpt(1, 1) == wide.substr(0, 1999));
+}
+
 TEST_CASE("imports are found beside the file that imports") {
 	CHECK(resolve_import("rules/a/main.pcg", "day.pcg") == "rules/a/day.pcg");
 	CHECK(resolve_import("rules/a/main.pcg", "../b/./day.pcg") == "rules/b/day.pcg");

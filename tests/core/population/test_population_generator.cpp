@@ -201,8 +201,19 @@ TEST_CASE("no home takes more persons than its capacity, and those left out are 
 	}
 	REQUIRE(diagnostics.warning_count() == 1);
 	CHECK(diagnostics.list()[0].id == "too-few-homes");
-	CHECK(diagnostics.list()[0].message.find("100 persons") != std::string::npos);
-	CHECK(diagnostics.list()[0].message.find("take 50") != std::string::npos);
+	CHECK(diagnostics.list()[0].message ==
+			"100 persons, but the homes of the city take 50: 60 were left out; 10 places stay free, but no home has enough of them for a whole household");
+}
+
+TEST_CASE("where the homes have places for all, but not for whole households, that is what the warning says") {
+	Diagnostics diagnostics;
+	PopulationOptions options;
+	options.persons = 8;
+	const Population population = generate_population(table_of("descriptor,count\nTwo adults,1\n"), city_of(3, 3), options, diagnostics);
+	CHECK(population.persons.size() == 6);
+	REQUIRE(diagnostics.list().size() == 1);
+	CHECK(diagnostics.list()[0].message ==
+			"8 persons, of whom 2 were left out: 3 places stay free, but no home has enough of them for a whole household");
 }
 
 TEST_CASE("homes of single persons can be filled to the last place") {
@@ -233,6 +244,14 @@ TEST_CASE("households larger than any home are drawn again, with one warning") {
 	CHECK(population.persons.size() == 40);
 	REQUIRE(diagnostics.warning_count() == 1);
 	CHECK(diagnostics.list()[0].id == "homes-too-small");
+	CHECK(diagnostics.list()[0].message.ends_with(" households were larger than the largest home, which takes 4 persons, and drawn again"));
+	Diagnostics of_one;
+	options.persons = 0;
+	options.households = 1;
+	for (options.seed = 1; of_one.is_empty(); ++options.seed) { // until the first draw is of six
+		generate_population(table_of("descriptor,count\nOne man,1\nSix adults,1\n"), city_of(20, 1), options, of_one);
+	}
+	CHECK(of_one.list()[0].message == "1 household was larger than the largest home, which takes 1 person, and drawn again");
 }
 
 TEST_CASE("a city without homes is a warning with both figures, and nobody to house is nobody") {

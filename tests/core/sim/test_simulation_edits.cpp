@@ -267,3 +267,26 @@ TEST_CASE("a game that calls the leader of a walk elsewhere, or takes it and giv
 		CHECK(walk->planned_start == moment(0, 8));
 	}
 }
+
+TEST_CASE("a child that waits for a leader whom a game calls elsewhere goes alone at once") {
+	Town town;
+	const BuildingId home = town.building("house", 0.0f), school = town.building("school", 100.0f), work = town.building("workplace", 300.0f);
+	town.household(home);
+	const PersonId ana = town.person(), leo = town.person(8.0f);
+	town.accompany(ana, { leo }, at(8), at(9), school);
+	town.tasks[index_of(ana)][0].start_ms = at(8, 20); // a newer entry took its beginning
+	town.tasks[index_of(ana)][0].is_start_cut = true;
+	town.stay(ana, at(7), at(8, 20), work);
+	Simulation &simulation = town.simulate();
+	Recorder recorder;
+	simulation.add_observer(recorder);
+	simulation.start(moment(0, 6));
+	simulation.advance_to(moment(0, 8, 5));
+	CHECK(recorder.of(leo).empty());
+	CHECK(town.insert(ana, Town::entry(TaskKind::StayInside, at(8), at(9), index_of(work)), 0));
+	simulation.advance_to(moment(0, 8, 59));
+	CHECK(recorder.of(leo) == Lines{ "08:05:00 1 left-building building 0", "08:05:00 1 set-out building 1", "08:06:40 1 entered-building building 1" });
+	CHECK(simulation.inside_count(work) == 1);
+	simulation.advance_to(moment(1, 8, 31)); // the leader is late again on the next day, and comes
+	CHECK(simulation.view(leo).place == target_of(school));
+}

@@ -123,9 +123,7 @@ func go_to(line: int, column: int) -> void:
 	var row: int = clampi(line - 1, 0, get_line_count() - 1)
 	unfold_line(row)
 	set_caret_line(row)
-	# Columns of diagnostics count bytes.
-	var before: PackedByteArray = get_line(row).to_utf8_buffer().slice(0, maxi(column - 1, 0))
-	set_caret_column(before.get_string_from_utf8().length())
+	set_caret_column(maxi(column - 1, 0))
 	center_viewport_to_caret()
 	scroll_horizontal = 0
 	adjust_viewport_to_caret()

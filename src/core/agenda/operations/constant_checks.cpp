@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "core/agenda/task.h"
 #include "core/lang/vm.h"
 
 namespace pcg::agenda {
@@ -12,7 +13,7 @@ std::optional<CallProblem> moment_problem(std::string_view operation, double tim
 	const std::string name = "'" + std::string(operation) + "'";
 	if (!std::isfinite(time)) {
 		return CallProblem{ "time-not-finite", name + " has a time that is not finite, so nothing is inserted",
-			"the distance to a building that cannot be reached is infinite: test it with isValid(..) or a comparison first" };
+			"numbers beyond 1e308, roots of negative numbers and the distance to a building that cannot be reached are not finite: test with a comparison first" };
 	}
 	if (std::abs(time) > week_seconds) {
 		return CallProblem{ "time-out-of-range", name + " has a time more than a week away, so nothing is inserted", "times are seconds from 0h of the day" };
@@ -43,13 +44,17 @@ std::optional<CallProblem> duration_problem(double duration, double priority) {
 		"the duration is the first argument, in seconds: floatingTask(20m, Rule)" };
 }
 
-CallProblem no_building(std::string_view operation, double number) {
+CallProblem no_building(std::string_view operation, double number, std::string_view numbers) {
 	const std::string name = "'" + std::string(operation) + "'";
 	if (number == -1.0) {
 		return { "no-building", name + " is given no building, so nothing is inserted", "a building that is not found is -1: test it with isValid(..) first" };
 	}
 	return { "no-building", name + " is given " + value_text(Value::of(number)) + ", which is no building of the city, so nothing is inserted",
-		"buildings have the ids of the city's file: write one of them, or find one by its type, as in findBuilding(\"school\")" };
+		std::string(numbers) + ": find one by its type, as in findBuilding(\"school\")" };
+}
+
+CallProblem no_days(DayMask outer) {
+	return { "no-days", "these days are none of those around, so nothing is inserted there", "the days around are " + days_text(outer) };
 }
 
 void warn(Vm &vm, CallProblem problem) { vm.warn(problem.id, std::move(problem.message), std::move(problem.hint)); }
@@ -61,7 +66,7 @@ std::optional<CallProblem> check_times(const KnownCall &call) {
 
 std::optional<CallProblem> check_building_entry(const KnownCall &call) {
 	if (call.arguments[2].is_number() && !(call.arguments[2].number >= 0.0)) {
-		return no_building(call.operation, call.arguments[2].number);
+		return no_building(call.operation, call.arguments[2].number, "to rules what is below 0 is none");
 	}
 	return check_times(call);
 }

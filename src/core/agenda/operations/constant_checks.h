@@ -3,6 +3,7 @@
 #include <optional>
 #include <string_view>
 
+#include "core/base/sim_time.h"
 #include "core/lang/dialect.h"
 
 // What is wrong with an entry whatever happens: said when rules are loaded where the values are known by then, else when they run.
@@ -16,7 +17,9 @@ constexpr std::string_view too_long_id = "longer-than-a-day";
 std::optional<CallProblem> times_problem(std::string_view operation, double start, double end);
 std::optional<CallProblem> duration_problem(double duration, double priority);
 std::optional<CallProblem> moment_problem(std::string_view operation, double time);
-CallProblem no_building(std::string_view operation, double number);
+// `numbers`: which ones buildings have.
+CallProblem no_building(std::string_view operation, double number, std::string_view numbers);
+CallProblem no_days(DayMask outer);
 // For what shows only while rules run.
 void warn(Vm &vm, CallProblem problem);
 

@@ -73,7 +73,7 @@ CallProblem unknown_day(std::string_view culprit) {
 		"days are mon tue wed thu fri sat sun, as in \"mon-fri\" or \"sat,sun\"", 0 };
 }
 
-// Rules that are called from within may have days of their own; what stands there itself could be left out.
+// Within one rule; others are called from many places (GenerationContext::note_inner_days).
 std::optional<CallProblem> check_days(const KnownCall &call) {
 	if (!call.arguments[0].is_text()) {
 		return std::nullopt;
@@ -90,7 +90,9 @@ std::optional<CallProblem> check_days(const KnownCall &call) {
 	if (outer == 0 || (outer & *mask) != 0) {
 		return std::nullopt;
 	}
-	return CallProblem{ "no-days", "these days are none of those around, so nothing is inserted there", "the days around are " + days_text(outer), 0 };
+	CallProblem problem = no_days(outer);
+	problem.argument = 0;
+	return problem;
 }
 
 Flow days(Vm &vm, const Args &args) {
@@ -104,11 +106,14 @@ Flow days(Vm &vm, const Args &args) {
 		warn(vm, unknown_day(culprit));
 		return Flow::Next;
 	}
-	const DayMask outer = context->days();
-	if ((outer & *mask) == 0) {
+	const DayMask outer = context->named_days(), inner = outer & *mask;
+	if (outer != all_days) {
+		context->note_inner_days(vm.address(), outer, inner);
+	}
+	if ((context->days() & inner) == 0) {
 		return Flow::Next;
 	}
-	context->set_days(outer & *mask);
+	context->set_named_days(inner);
 	Flow flow = Flow::Next;
 	for (const BlockEntry &entry : vm.entries(*args.block)) {
 		flow = vm.run_body(entry.body);
@@ -116,7 +121,7 @@ Flow days(Vm &vm, const Args &args) {
 			break;
 		}
 	}
-	context->set_days(outer);
+	context->set_named_days(outer);
 	return flow;
 }
 

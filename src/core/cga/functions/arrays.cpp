@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "core/base/utf8.h"
 #include "core/cga/functions/functions.h"
 #include "core/lang/array_index.h"
 #include "core/lang/vm.h"
@@ -32,8 +33,7 @@ Value find_first(Vm &vm, const Args &args) {
 	if (args[0].is_text()) {
 		const size_t at = text_at(args, 0).find(text_at(args, 1));
 		const std::string_view before = text_at(args, 0).substr(0, std::min(at, text_at(args, 0).size()));
-		const auto is_lead = [](char c) { return (uint8_t(c) & 0xC0) != 0x80; };
-		return Value::of(at == std::string_view::npos ? -1.0 : double(std::ranges::count_if(before, is_lead)));
+		return Value::of(at == std::string_view::npos ? -1.0 : double(count_characters(before)));
 	}
 	if (!args[0].is_array()) {
 		vm.warn("type-mismatch", "findFirst looks into an array or a text");

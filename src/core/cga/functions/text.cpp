@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/regex.h"
+#include "core/base/utf8.h"
 #include "core/cga/functions/functions.h"
 #include "core/lang/vm.h"
 
@@ -26,19 +27,11 @@ namespace {
 
 Value make(Vm &vm, std::string_view text) { return Value::of(vm.make_text(text)); }
 
-bool is_lead(char c) { return (uint8_t(c) & 0xC0) != 0x80; }
-
-double characters(std::string_view text) { return double(std::count_if(text.begin(), text.end(), is_lead)); }
+double characters(std::string_view text) { return double(count_characters(text)); }
 
 // Where the character of that number begins; the end of the text for larger numbers.
 size_t byte_of(std::string_view text, double character) {
-	size_t at = 0;
-	for (double left = std::floor(character); at < text.size(); ++at) {
-		if (is_lead(text[at]) && !(left-- > 0.0)) {
-			break;
-		}
-	}
-	return at;
+	return byte_of_character(text, character >= 1.0 ? size_t(std::min(character, double(text.size()))) : 0);
 }
 
 Value to_text(Vm &vm, const Args &args) { return make(vm, value_text(args[0])); }
@@ -151,7 +144,7 @@ Value split_characters(Vm &vm, std::string_view text) {
 	std::vector<Value> parts = { make(vm, "") };
 	for (size_t i = 0; i < text.size() && parts.size() < max_array_size;) {
 		size_t end = i + 1;
-		while (end < text.size() && !is_lead(text[end])) {
+		while (end < text.size() && !starts_character(text[end])) {
 			++end;
 		}
 		parts.push_back(make(vm, text.substr(i, end - i)));
