@@ -51,6 +51,7 @@ template <typename Bytes, typename Record> void visit_layout(Bytes &bytes, Recor
 		visit_point(inner, tile.min);
 		visit_point(inner, tile.max);
 	});
+	bytes.list(layout.overlaps, [](Bytes &inner, auto &overlap) { inner.values(overlap.a, overlap.b, overlap.area); });
 	visit_polygon(bytes, layout.outline);
 	visit_point(bytes, layout.min);
 	visit_point(bytes, layout.max);
@@ -98,7 +99,8 @@ bool is_sound(const Layout &layout) {
 		return is_polygon(ground.polygon) && (!is_valid(ground.block) || index_of(ground.block) < layout.blocks.size()) &&
 				(ground.street == no_street || ground.street < layout.streets.size());
 	};
-	return std::ranges::all_of(layout.blocks, [&](const CityBlock &block) { return is_sound(block, layout); }) &&
+	const auto is_sound_overlap = [&](const LotOverlap &overlap) { return std::max(index_of(overlap.a), index_of(overlap.b)) < layout.lots.size(); };
+	return std::ranges::all_of(layout.overlaps, is_sound_overlap) && std::ranges::all_of(layout.blocks, [&](const CityBlock &block) { return is_sound(block, layout); }) &&
 			std::ranges::all_of(layout.lots, is_sound_lot) && std::ranges::all_of(layout.streets, is_sound_street) &&
 			std::ranges::all_of(layout.ground, is_sound_ground);
 }

@@ -70,7 +70,6 @@ cga::DerivationResult plain_ground(const Ground &ground) {
 	if (ground.kind == GroundKind::Crossing && ground.polygon.size() == 4) {
 		add_stripes(result.mesh, ground.polygon);
 	}
-	result.face_count = result.mesh.faces.size();
 	return result;
 }
 
@@ -80,7 +79,6 @@ cga::DerivationResult lot_ground(const Layout &layout, const CityBlock &block) {
 	for (const LotId lot : block.lots) {
 		add_face(result.mesh, layout.lot(lot).polygon, lot_height, 0);
 	}
-	result.face_count = result.mesh.faces.size();
 	return result;
 }
 

@@ -10,7 +10,7 @@ struct GroundGroups {
 };
 GroundGroups group_ground(const Layout &layout);
 
-// A piece as a plain surface at y = 0: asphalt, paving, white bars on crossings with four corners.
+// A piece as a plain surface at y = 0: asphalt, paving, white bars on crossings with four corners. Faces that no rule made do not count.
 cga::DerivationResult plain_ground(const Ground &ground);
 // Grass below the lots of a block, a little lower so that floors and yards at 0 cover it.
 cga::DerivationResult lot_ground(const Layout &layout, const CityBlock &block);

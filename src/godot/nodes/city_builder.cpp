@@ -112,7 +112,7 @@ void CityBuilder::build_streets(size_t tile) {
 		_streets = streets->get_instance_id();
 	}
 	const GroundBuild &build = _city.ground.streets[tile];
-	if (streets == nullptr || build.model.face_count == 0) {
+	if (streets == nullptr || (build.model.mesh.is_empty() && build.model.instances.empty() && build.objects.empty())) {
 		return;
 	}
 	Node3D *node = memnew(Node3D);

@@ -306,6 +306,7 @@ void PCGCity::finish() {
 	_state = _job->state;
 	_edits.mark_reach(_job->reach);
 	report(_diagnostics);
+	update_configuration_warnings();
 	end(!_diagnostics.has_errors());
 	adopt_lost_nodes();
 	update_model();

@@ -58,7 +58,7 @@ bool PCGCity::prepare_rules(CityInput &input, Diagnostics &diagnostics) const {
 			continue;
 		}
 		diagnostics.append(rules->diagnostics());
-		input.layout.land_use.push_back({ name, type->get_weight() });
+		input.layout.land_use.push_back({ name, type->get_weight(), type->weight_map(diagnostics) });
 		input.rules[name] = { rules->program(), from_godot(type->get_start_rule()), from_godot(type->get_attributes(), diagnostics) };
 	}
 	return !diagnostics.has_errors();
