@@ -27,6 +27,16 @@ Front --> entrance("house", 4) Wall.
 const PARK := """@StartRule
 Lot --> zone("park") Lawn.
 """
+## A stop on each side of each block.
+const STREETS := """attr atCrossing = false
+attr stop = ""
+Street --> t(0, -0.1, 0) Asphalt.
+Crossing --> White.
+Junction --> t(0, -0.1, 0) Asphalt.
+Sidewalk --> case atCrossing || stop == "" : Paving. else : [ split(x) { ~1 : NIL | 1 : Stop | ~1 : NIL } ] Paving.
+@Object("stop")
+Stop --> s(1, 2, 1) primitiveCube() Sign.
+"""
 const WEEKDAY := """@StartRule
 Household -->
 	members { true: stayInside(0h, 24h, home) }
@@ -61,6 +71,7 @@ static func make_city(lots: int = 40) -> PCGCity:
 	var city := PCGCity.new()
 	city.layout = PCGLayout.new()
 	city.layout.fit_lots(lots)
+	city.use_street_rules = false
 	city.lot_types = [make_type("house", 60, HOUSE), make_type("workplace", 20, WORKPLACE), make_type("school", 10, SCHOOL),
 			make_type("park", 10, PARK)]
 	return city

@@ -49,6 +49,7 @@ func _city(text: String) -> PCGCity:
 	var city := PCGCity.new()
 	city.layout = PCGLayout.new()
 	city.layout.fit_lots(4)
+	city.use_street_rules = false
 	city.lot_types = [type]
 	add_child(city)
 	return city

@@ -225,6 +225,18 @@ func test_districts_decide_what_their_lots_become() -> void:
 			check_equal(lot.type, "park", "what lies in the west")
 
 
+func test_painted_land_use() -> void:
+	var city: PCGCity = CityForTests.make_city(40)
+	var picture: Image = Image.create(2, 1, false, Image.FORMAT_RGB8)
+	picture.set_pixel(1, 0, Color.WHITE) # the east
+	(city.lot_types[1] as PCGLotType).weight_map = ImageTexture.create_from_image(picture)
+	add_child(city)
+	check(city.generate_now(), "%s" % [city.get_diagnostics()])
+	var workplaces: Array = city.find_children("*", "PCGLot", true, false).filter(func(lot: PCGLot) -> bool: return lot.type == "workplace")
+	check(workplaces.size() > 2, "there are workplaces")
+	check(workplaces.all(func(lot: PCGLot) -> bool: return lot.global_position.x > -60.0), "where they are painted")
+
+
 func test_a_parameter_out_of_its_limits_is_named_with_its_limits() -> void:
 	expect_message("the number of spokes is 3, but must be from 5 to 64")
 	var city: PCGCity = CityForTests.make_city()

@@ -210,3 +210,24 @@ func test_a_block_is_generated_anew_without_the_lot_that_was_deleted() -> void:
 		check(lot.get_child_count() > 0, "the others have something on them")
 	expect_message("there is no lot of this number")
 	check(not city.regenerate_lot(1000), "no such lot")
+
+
+func test_what_stands_on_streets_is_saved_with_the_city() -> void:
+	var city: PCGCity = CityForTests.make_city(12)
+	city.use_street_rules = true
+	city.street_rules = CityForTests.make_rules(CityForTests.STREETS)
+	city.street_attributes = {"stop": "bus"}
+	add_child(city)
+	check(city.generate_now(), "it generates: %s" % [city.get_diagnostics()])
+	await _settle()
+	var records: Dictionary = _records(city)
+	var faces: int = city.get_statistics()["faces"]
+	_save(city, "user://streets_of_tests.scn")
+	city.free()
+	city = await _load("user://streets_of_tests.scn")
+	check_equal(_records(city), records, "what has meaning")
+	check_equal(city.get_statistics()["faces"], faces, "faces")
+	var object: PCGObject = _nodes(city, "PCGObject")[0]
+	object.free()
+	await _settle()
+	check_equal(city.get_statistics()["objects"], records.keys().filter(func(key: String) -> bool: return key.begins_with("object")).size() - 1, "objects")

@@ -190,7 +190,8 @@ func _on_node_changed(node: Node) -> void:
 func get_users(path: String) -> Array[Node]:
 	var users: Array[Node] = []
 	for node: Node in _find_all("PCGCity"):
-		if (node as PCGCity).lot_types.any(func(type: PCGLotType) -> bool: return type != null and _uses(type.rules, path)):
+		var city := node as PCGCity
+		if _uses(city.street_rules, path) or city.lot_types.any(func(type: PCGLotType) -> bool: return type != null and _uses(type.rules, path)):
 			users.append(node)
 	for node: Node in _find_all("CitizenManager"):
 		if _uses((node as CitizenManager).rules, path):

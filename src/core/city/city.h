@@ -23,18 +23,23 @@ struct LotBuild {
 	std::vector<std::vector<glm::vec3>> free_ground;
 };
 
-// Streets, pavements and the ground of lots as surfaces.
-struct GroundModel {
-	std::vector<Material> materials;
-	Mesh streets; // with their crossings
-	std::vector<Mesh> blocks; // by BlockId: pavements and what is below the lots
+// What a part of the public ground looks like and what stands on it.
+struct GroundBuild {
+	cga::DerivationResult model; // all pieces as one, without diagnostics
+	std::vector<ZoneId> zones; // records in City::model, as those of a lot
+	std::vector<ObjectId> objects;
+};
+
+struct PublicGround {
+	std::vector<GroundBuild> streets; // by tile: carriageways, crossings, junctions
+	std::vector<GroundBuild> blocks; // by BlockId: pavements and what is below the lots
 };
 
 struct City {
 	Layout layout;
 	CityModel model;
 	std::vector<LotBuild> lots; // by LotId
-	GroundModel ground;
+	PublicGround ground;
 	std::vector<GroundPatch> patches; // of the ground for walking
 };
 

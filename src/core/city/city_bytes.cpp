@@ -10,7 +10,7 @@ namespace pcg {
 
 namespace {
 
-constexpr uint32_t version = 0x50434701; // changes with the records below
+constexpr uint32_t version = 0x50434702; // changes with the records below
 
 // Each visit names the fields of a record once, for writing and reading.
 template <typename Bytes, typename Point> void visit_point(Bytes &bytes, Point &point) { bytes.values(point.x, point.y, point.z); }
@@ -51,6 +51,7 @@ template <typename Bytes, typename Record> void visit_layout(Bytes &bytes, Recor
 		visit_point(inner, tile.min);
 		visit_point(inner, tile.max);
 	});
+	bytes.list(layout.overlaps, [](Bytes &inner, auto &overlap) { inner.values(overlap.a, overlap.b, overlap.area); });
 	visit_polygon(bytes, layout.outline);
 	visit_point(bytes, layout.min);
 	visit_point(bytes, layout.max);
@@ -64,9 +65,19 @@ template <typename Bytes, typename Record> void visit_build(Bytes &bytes, Record
 	bytes.list(build.free_ground, [](Bytes &inner, auto &piece) { visit_polygon(inner, piece); });
 }
 
+template <typename Bytes, typename List> void visit_ground_builds(Bytes &bytes, List &builds) {
+	bytes.list(builds, [](Bytes &inner, auto &build) {
+		inner.values(build.model.face_count);
+		visit_values(inner, build.zones);
+		visit_values(inner, build.objects);
+	});
+}
+
 template <typename Bytes, typename Record> void visit_city(Bytes &bytes, Record &city) {
 	visit_layout(bytes, city.layout);
 	bytes.list(city.lots, [](Bytes &inner, auto &build) { visit_build(inner, build); });
+	visit_ground_builds(bytes, city.ground.streets);
+	visit_ground_builds(bytes, city.ground.blocks);
 }
 
 bool is_polygon(const std::vector<glm::vec3> &polygon) {
@@ -88,7 +99,8 @@ bool is_sound(const Layout &layout) {
 		return is_polygon(ground.polygon) && (!is_valid(ground.block) || index_of(ground.block) < layout.blocks.size()) &&
 				(ground.street == no_street || ground.street < layout.streets.size());
 	};
-	return std::ranges::all_of(layout.blocks, [&](const CityBlock &block) { return is_sound(block, layout); }) &&
+	const auto is_sound_overlap = [&](const LotOverlap &overlap) { return std::max(index_of(overlap.a), index_of(overlap.b)) < layout.lots.size(); };
+	return std::ranges::all_of(layout.overlaps, is_sound_overlap) && std::ranges::all_of(layout.blocks, [&](const CityBlock &block) { return is_sound(block, layout); }) &&
 			std::ranges::all_of(layout.lots, is_sound_lot) && std::ranges::all_of(layout.streets, is_sound_street) &&
 			std::ranges::all_of(layout.ground, is_sound_ground);
 }
@@ -118,6 +130,7 @@ std::optional<City> city_from_bytes(std::string_view bytes, Diagnostics &diagnos
 		visit_city(reader, city);
 	}
 	const bool is_whole = found == version && reader.is_good() && reader.is_at_end() && city.lots.size() == city.layout.lots.size() && is_sound(city.layout) &&
+			city.ground.streets.size() == city.layout.tiles.size() && city.ground.blocks.size() == city.layout.blocks.size() &&
 			std::ranges::all_of(city.lots, [](const LotBuild &lot) { return std::ranges::all_of(lot.free_ground, is_polygon); });
 	if (!is_whole) {
 		diagnostics.error("bad-saved-city", found == version ? "the saved layout of this city is damaged" : "this city was saved by another version",

@@ -1,68 +1,19 @@
 #include "core/city/city_generator.h"
 
 #include <algorithm>
-#include <mutex>
+#include <map>
 
 #include "core/cga/neighborhood.h"
 #include "core/city/city_bytes.h"
-#include "core/city/ground.h"
+#include "core/city/derivers.h"
 #include "core/city/lot_messages.h"
 #include "core/city/lot_semantics.h"
+#include "core/city/street_builder.h"
 #include "core/lang/program.h"
 
 namespace pcg {
 
 namespace {
-
-// Interpreters at rest, by program: a thread takes one for a lot and gives it back, so that there are never more than threads.
-class Derivers {
-public:
-	// Cancelling the city ends the lots that are being built, too.
-	explicit Derivers(const CityOptions &options) : _options(options.derive) {
-		_options.cancel = _options.cancel != nullptr ? _options.cancel : options.work.cancel;
-	}
-
-	cga::DerivationResult derive(const Program &program, const cga::InitialShape &shape, const cga::Neighbors &neighbors) {
-		std::unique_ptr<cga::Deriver> deriver = take(program);
-		cga::DerivationResult result = deriver->derive(shape, neighbors);
-		give_back(program, std::move(deriver));
-		return result;
-	}
-	bool asks_inter(const Program &program) {
-		const auto [place, is_new] = _asks_inter.emplace(&program, false);
-		if (is_new) {
-			place->second = cga::context_use(program).asks_inter();
-		}
-		return place->second;
-	}
-	std::shared_ptr<const cga::Occluders> occluders(const Program &program, const cga::InitialShape &shape) {
-		std::unique_ptr<cga::Deriver> deriver = take(program);
-		std::shared_ptr<const cga::Occluders> result = deriver->occluders(shape);
-		give_back(program, std::move(deriver));
-		return result;
-	}
-
-private:
-	void give_back(const Program &program, std::unique_ptr<cga::Deriver> deriver) {
-		const std::lock_guard<std::mutex> lock(_mutex);
-		_resting[&program].push_back(std::move(deriver));
-	}
-	std::unique_ptr<cga::Deriver> take(const Program &program) {
-		const std::lock_guard<std::mutex> lock(_mutex);
-		std::vector<std::unique_ptr<cga::Deriver>> &resting = _resting[&program];
-		if (resting.empty()) {
-			return std::make_unique<cga::Deriver>(program, _options);
-		}
-		std::unique_ptr<cga::Deriver> deriver = std::move(resting.back());
-		resting.pop_back();
-		return deriver;
-	}
-
-	cga::DeriveOptions _options;
-	std::map<const Program *, bool> _asks_inter; // used by one thread only
-	std::mutex _mutex;
-	std::map<const Program *, std::vector<std::unique_ptr<cga::Deriver>>> _resting;
-};
 
 const LotRules *rules_of(const RulesByType &rules, const std::string &type) {
 	auto found = rules.find(type);
@@ -181,12 +132,16 @@ std::optional<City> generate_city(Layout layout, const RulesByType &rules, const
 	city.layout = std::move(layout);
 	city.model.origin = fingerprint_of(city.layout);
 	city.lots.resize(city.layout.lots.size());
-	city.ground = make_ground(city.layout);
+	city.ground.streets.resize(city.layout.tiles.size());
+	city.ground.blocks.resize(city.layout.blocks.size());
 	report_missing_rules(city.layout, rules, diagnostics);
 	Derivers derivers(options);
 	const LotOccluders occluders = occluders_for_asking(city, rules, options, derivers);
-	const bool is_done = parallel_for(city.lots.size(), options.work, [&](size_t i) {
-		if (const LotRules *lot_rules = rules_of(rules, city.layout.lots[i].type)) {
+	StreetBuilder streets(city.layout, options);
+	const bool is_done = parallel_for(city.lots.size() + streets.part_count(), options.work, [&](size_t i) {
+		if (i >= city.lots.size()) {
+			streets.build(i - city.lots.size(), city.ground, derivers);
+		} else if (const LotRules *lot_rules = rules_of(rules, city.layout.lots[i].type)) {
 			build_lot(city, LotId(i), *lot_rules, occluders, options, derivers);
 		} else {
 			leave_empty(city, LotId(i), options);
@@ -203,6 +158,8 @@ std::optional<City> generate_city(Layout layout, const RulesByType &rules, const
 		}
 	}
 	messages.hand_over(diagnostics);
+	streets.report(diagnostics);
+	register_ground(city, diagnostics);
 	return city;
 }
 

@@ -27,6 +27,8 @@ struct CityOptions {
 	WorkOptions work;
 	cga::DeriveOptions derive;
 	FreeGroundOptions free_ground;
+	// Of the public ground, whose pieces bring their own start rules: see StreetShapes. Without a program all of it is plain.
+	LotRules streets;
 };
 
 // The same city for any number of threads. A type without rules is an error, and its lots stay empty. Messages of rules name the lot. What the

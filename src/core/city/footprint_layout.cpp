@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/random.h"
+#include "core/city/lot_overlaps.h"
 #include "core/city/plan_layout.h"
 #include "core/geometry/convex_parts.h"
 #include "core/geometry/polygon.h"
@@ -18,7 +19,7 @@ namespace {
 constexpr double tile_size = 40.0; // metres, about: overlays of few buildings are quick
 constexpr double farthest = 50'000.0; // metres
 constexpr double most_ground = 200e6; // square metres: a box of 14 by 14 km has 125,000 tiles
-constexpr double least_area = 1.0, worst_overlap = 1.0; // square metres
+constexpr double least_area = 1.0; // square metres
 constexpr double beside = 0.1; // metres from a side to where it is asked what lies there
 
 struct Box {
@@ -28,7 +29,6 @@ struct Box {
 		min = glm::min(min, point);
 		max = glm::max(max, point);
 	}
-	bool meets(const Box &other) const { return min.x < other.max.x && other.min.x < max.x && min.y < other.max.y && other.min.y < max.y; }
 	Loop2 outline() const { return { min, { max.x, min.y }, max, { min.x, max.y } }; }
 };
 
@@ -38,16 +38,6 @@ Box box_of(const Loop2 &loop) {
 		box.add(point);
 	}
 	return box;
-}
-
-double area_of_all(const Polygons2 &polygons) {
-	double area = 0.0;
-	for (const Loops2 &polygon : polygons) {
-		for (const Loop2 &loop : polygon) {
-			area += signed_area(loop) / 2.0;
-		}
-	}
-	return area;
 }
 
 class FootprintBuilder {
@@ -73,8 +63,8 @@ public:
 		}
 		for (uint32_t tile = 0; tile < _tiles.size(); ++tile) {
 			add_open_ground(tile);
-			report_overlaps(tile);
 		}
+		report_overlaps();
 		_layout.outline = to_ground(_extent.outline());
 		_layout.seed = _p.seed;
 		frame_layout(_layout);
@@ -214,21 +204,15 @@ private:
 		}
 	}
 
-	// A pair is told where the corner of what its boxes share lies.
-	void report_overlaps(uint32_t tile) {
-		for (size_t i = 0; i < _tiles[tile].size(); ++i) {
-			for (size_t j = i + 1; j < _tiles[tile].size(); ++j) {
-				const uint32_t a = _tiles[tile][i], b = _tiles[tile][j];
-				const glm::uvec2 cell = cell_of(glm::max(_boxes[a].min, _boxes[b].min));
-				if (!_boxes[a].meets(_boxes[b]) || cell.y * _columns + cell.x != tile) {
-					continue;
-				}
-				const double area = area_of_all(overlay({ _footprints[a].outline }, { _footprints[b].outline }, OverlayKind::Intersection));
-				if (area > worst_overlap) {
-					_diagnostics.warning("overlap", _footprints[a].name + " and " + _footprints[b].name + " overlap by " +
-									std::to_string(int(std::round(area))) + " square metres", "draw them side by side");
-				}
-			}
+	void report_overlaps() {
+		std::vector<Loop2> outlines;
+		for (const Footprint &footprint : _footprints) {
+			outlines.push_back(footprint.outline);
+		}
+		for (const OutlineOverlap &overlap : find_overlaps(outlines)) {
+			_layout.overlaps.push_back({ LotId(overlap.a), LotId(overlap.b), float(overlap.area) });
+			_diagnostics.warning("overlap", _footprints[overlap.a].name + " and " + _footprints[overlap.b].name + " overlap by " +
+							std::to_string(int(std::round(overlap.area))) + " square metres", "draw them side by side");
 		}
 	}
 

@@ -2,10 +2,17 @@
 
 #include "core/city/city.h"
 
-// The ground of a layout, made by code so that a city without any rules still shows where things lie.
 namespace pcg {
 
-// Flat, upwards. Lots lie a little lower than the ground that their own rules may make, zebra stripes a little higher than their street.
-GroundModel make_ground(const Layout &layout);
+// The pieces of Layout::ground that each GroundBuild is made of: one list for a tile's streets or a block's pavements.
+struct GroundGroups {
+	std::vector<std::vector<uint32_t>> streets, blocks;
+};
+GroundGroups group_ground(const Layout &layout);
+
+// A piece as a plain surface at y = 0: asphalt, paving, white bars on crossings with four corners. Faces that no rule made do not count.
+cga::DerivationResult plain_ground(const Ground &ground);
+// Grass below the lots of a block, a little lower so that floors and yards at 0 cover it.
+cga::DerivationResult lot_ground(const Layout &layout, const CityBlock &block);
 
 } // namespace pcg

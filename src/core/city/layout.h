@@ -82,6 +82,12 @@ struct Tile {
 	glm::vec3 min{ 0.0f }, max{ 0.0f };
 };
 
+// Two lots that were drawn or measured so that they share ground.
+struct LotOverlap {
+	LotId a = LotId::Invalid, b = LotId::Invalid;
+	float area = 0.0f; // square metres
+};
+
 struct Layout {
 	std::vector<CityBlock> blocks;
 	std::vector<Lot> lots;
@@ -89,6 +95,7 @@ struct Layout {
 	std::vector<Street> streets;
 	std::vector<Ground> ground;
 	std::vector<Tile> tiles;
+	std::vector<LotOverlap> overlaps; // of more than a square metre
 	std::vector<glm::vec3> outline; // the city's edge
 	glm::vec3 min{ 0.0f }, max{ 0.0f }; // of the outline
 	uint64_t seed = 0;

@@ -21,7 +21,7 @@ void LotMessages::hand_over(Diagnostics &diagnostics) const {
 		Diagnostic diagnostic = entry.diagnostic;
 		diagnostic.message = entry.first_lot + ": " + diagnostic.message;
 		if (entry.count > 1) {
-			diagnostic.message += " (and on " + std::to_string(entry.count - 1) + (entry.count > 2 ? " other lots)" : " other lot)");
+			diagnostic.message += " (and on " + std::to_string(entry.count - 1) + " other " + _noun + (entry.count > 2 ? "s)" : ")");
 		}
 		diagnostics.add(std::move(diagnostic));
 	}

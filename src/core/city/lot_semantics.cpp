@@ -35,12 +35,19 @@ bool is_walkable(const std::vector<Zone> &pieces, glm::vec3 point) {
 	return false;
 }
 
-void add_zones_and_objects(City &city, LotId lot) {
-	LotBuild &build = city.lots[index_of(lot)];
-	for (const cga::ModelZone &zone : build.model.zones) {
-		build.zones.push_back(city.model.add_zone({ city.model.types.add(zone.type), zone.polygon, zone.height, lot, false }));
+} // namespace
+
+std::vector<ZoneId> add_zones(City &city, const cga::DerivationResult &model, LotId lot) {
+	std::vector<ZoneId> ids;
+	for (const cga::ModelZone &zone : model.zones) {
+		ids.push_back(city.model.add_zone({ city.model.types.add(zone.type), zone.polygon, zone.height, lot, false }));
 	}
-	for (const cga::ModelObject &object : build.model.objects) {
+	return ids;
+}
+
+std::vector<ObjectId> add_objects(City &city, const cga::DerivationResult &model, LotId lot) {
+	std::vector<ObjectId> ids;
+	for (const cga::ModelObject &object : model.objects) {
 		CityObject record;
 		record.type = city.model.types.add(object.tag);
 		record.position = glm::vec3(object.frame[3]);
@@ -48,11 +55,10 @@ void add_zones_and_objects(City &city, LotId lot) {
 		for (const cga::ModelPlace &place : object.places) {
 			record.places.push_back({ place.position, place.facing });
 		}
-		build.objects.push_back(city.model.add_object(std::move(record)));
+		ids.push_back(city.model.add_object(std::move(record)));
 	}
+	return ids;
 }
-
-} // namespace
 
 glm::vec3 threshold_of(const City &city, LotId lot, const cga::ModelEntrance &entrance) {
 	const std::vector<Zone> pieces = walkable_around(city, lot);
@@ -109,7 +115,8 @@ void register_lot(City &city, LotId lot) {
 		entrance.capacity = door.capacity;
 		build.entrances.push_back(city.model.add_entrance(entrance));
 	}
-	add_zones_and_objects(city, lot);
+	build.zones = add_zones(city, build.model, lot);
+	build.objects = add_objects(city, build.model, lot);
 }
 
 } // namespace pcg

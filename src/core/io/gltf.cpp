@@ -276,15 +276,25 @@ void add_lot(GlbBuilder &builder, const City &city, LotId id, int parent) {
 	add_objects(builder, lot.model, lot.objects, node);
 }
 
+// Its node.
+int add_ground(GlbBuilder &builder, const GroundBuild &ground, const std::string &name, int parent) {
+	const int node = builder.add_node(name, builder.add_mesh(ground.model.mesh, ground.model.materials, name), parent);
+	add_objects(builder, ground.model, ground.objects, node);
+	return node;
+}
+
 } // namespace
 
 bool write_glb(const City &city, const std::string &path, Diagnostics &diagnostics, const FileTree *pictures) {
 	GlbBuilder builder(pictures, diagnostics);
-	builder.add_node("streets", builder.add_mesh(city.ground.streets, city.ground.materials, "streets"), GlbBuilder::no_parent);
+	const int streets = builder.add_node("streets", GlbBuilder::no_mesh, GlbBuilder::no_parent);
+	for (size_t i = 0; i < city.ground.streets.size(); ++i) {
+		add_ground(builder, city.ground.streets[i], "tile " + std::to_string(i), streets);
+	}
 	for (size_t i = 0; i < city.layout.blocks.size(); ++i) {
-		const std::string name = "block " + std::to_string(i);
-		const int mesh = i < city.ground.blocks.size() ? builder.add_mesh(city.ground.blocks[i], city.ground.materials, name) : GlbBuilder::no_mesh;
-		const int node = builder.add_node(name, mesh, GlbBuilder::no_parent);
+		const GroundBuild nothing;
+		const int node = add_ground(builder, i < city.ground.blocks.size() ? city.ground.blocks[i] : nothing, "block " + std::to_string(i),
+				GlbBuilder::no_parent);
 		for (LotId lot : city.layout.blocks[i].lots) {
 			add_lot(builder, city, lot, node);
 		}

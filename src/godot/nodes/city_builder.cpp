@@ -89,24 +89,41 @@ void CityBuilder::add_geometry(Node *parent, const Mesh &mesh, const std::vector
 	}
 }
 
-void CityBuilder::add_instances(Node *parent, const LotBuild &build, int32_t object, Vector3 position) {
-	for (MultiMeshInstance3D *node : _instances.make(build.model, object, position)) {
+void CityBuilder::add_instances(Node *parent, const cga::DerivationResult &model, int32_t object, Vector3 position) {
+	for (MultiMeshInstance3D *node : _instances.make(model, object, position)) {
 		node->add_to_group(group, true);
 		add(parent, node, "Instances");
 	}
 }
 
-void CityBuilder::build_streets() {
-	Node3D *streets = memnew(Node3D);
-	streets->add_to_group(group, true);
-	add(_root, streets, "Streets");
-	add_geometry(streets, _city.ground.streets, _city.ground.materials, "Geometry");
+void CityBuilder::fill_ground(Node3D *node, const GroundBuild &build, const char *name) {
+	add_geometry(node, build.model.mesh, build.model.materials, name);
+	add_instances(node, build.model, -1);
+	build_zones(node, build.zones, {});
+	build_objects(node, build.objects, build.model, {});
+}
+
+void CityBuilder::build_streets(size_t tile) {
+	Node3D *streets = Object::cast_to<Node3D>(ObjectDB::get_instance(_streets));
+	if (tile == 0) {
+		streets = memnew(Node3D);
+		streets->add_to_group(group, true);
+		add(_root, streets, "Streets");
+		_streets = streets->get_instance_id();
+	}
+	const GroundBuild &build = _city.ground.streets[tile];
+	if (streets == nullptr || (build.model.mesh.is_empty() && build.model.instances.empty() && build.objects.empty())) {
+		return;
+	}
+	Node3D *node = memnew(Node3D);
+	node->add_to_group(group, true);
+	add(streets, node, "Tile" + String::num_int64(int64_t(tile)));
+	fill_ground(node, build, "Geometry");
 }
 
 bool CityBuilder::build_next() {
-	if (!_has_streets) {
-		_has_streets = true;
-		build_streets();
+	if (_next_tile < _city.ground.streets.size()) {
+		build_streets(_next_tile++);
 		return true;
 	}
 	const std::vector<CityBlock> &blocks = _city.layout.blocks;
@@ -129,7 +146,7 @@ void CityBuilder::begin_block(BlockId id) {
 	block->add_to_group(group, true);
 	add(_root, block, block_name(id));
 	if (index_of(id) < _city.ground.blocks.size()) {
-		add_geometry(block, _city.ground.blocks[index_of(id)], _city.ground.materials, "Ground");
+		fill_ground(block, _city.ground.blocks[index_of(id)], "Ground");
 	}
 	_block = block->get_instance_id();
 	_next_lot = 0;
@@ -198,10 +215,10 @@ void CityBuilder::fill_lot(PCGLot *node, LotId id) {
 	const LotBuild &build = _city.lots[index_of(id)];
 	const Vector3 origin = to_godot(middle_of(_city.layout.lot(id).polygon));
 	add_geometry(node, build.model.mesh, build.model.materials, "Geometry", -origin);
-	add_instances(node, build, -1, -origin);
+	add_instances(node, build.model, -1, -origin);
 	build_entrances(node, build, origin);
-	build_zones(node, build, origin);
-	build_objects(node, build, origin);
+	build_zones(node, build.zones, origin);
+	build_objects(node, build.objects, build.model, origin);
 }
 
 void CityBuilder::build_entrances(Node3D *lot, const LotBuild &build, Vector3 origin) {
@@ -218,8 +235,8 @@ void CityBuilder::build_entrances(Node3D *lot, const LotBuild &build, Vector3 or
 	}
 }
 
-void CityBuilder::build_zones(Node3D *lot, const LotBuild &build, Vector3 origin) {
-	for (const ZoneId id : build.zones) {
+void CityBuilder::build_zones(Node3D *parent, const std::vector<ZoneId> &zones, Vector3 origin) {
+	for (const ZoneId id : zones) {
 		const Zone &zone = _city.model.zone(id);
 		const glm::vec3 middle = centroid(zone);
 		PCGZone *node = memnew(PCGZone);
@@ -229,17 +246,17 @@ void CityBuilder::build_zones(Node3D *lot, const LotBuild &build, Vector3 origin
 		node->set_zone_id(int(index_of(id)));
 		node->set_position(to_godot(middle) - origin);
 		node->add_to_group("pcg_zones", true);
-		add(lot, node, "Zone" + String::num_int64(index_of(id)));
+		add(parent, node, "Zone" + String::num_int64(index_of(id)));
 	}
 }
 
-void CityBuilder::build_objects(Node3D *lot, const LotBuild &build, Vector3 origin) {
-	for (size_t i = 0; i < build.objects.size(); ++i) {
-		const CityObject &object = _city.model.object(build.objects[i]);
-		const Transform3D frame = to_frame(build.model.objects[i].frame);
+void CityBuilder::build_objects(Node3D *parent, const std::vector<ObjectId> &objects, const cga::DerivationResult &model, Vector3 origin) {
+	for (size_t i = 0; i < objects.size(); ++i) {
+		const CityObject &object = _city.model.object(objects[i]);
+		const Transform3D frame = to_frame(model.objects[i].frame);
 		PCGObject *node = memnew(PCGObject);
 		node->set_type(to_godot(_city.model.types.name(object.type)));
-		node->set_object_id(int(index_of(build.objects[i])));
+		node->set_object_id(int(index_of(objects[i])));
 		TypedArray<Transform3D> places;
 		for (const Place &place : object.places) {
 			places.push_back(frame.affine_inverse() * to_godot(place.position, place.facing));
@@ -247,9 +264,9 @@ void CityBuilder::build_objects(Node3D *lot, const LotBuild &build, Vector3 orig
 		node->set_places(places);
 		node->set_transform(frame.translated(-origin));
 		node->add_to_group("pcg_objects", true);
-		add(lot, node, "Object" + String::num_int64(index_of(build.objects[i])));
-		add_geometry(node, build.model.objects[i].mesh, build.model.materials, "Geometry");
-		add_instances(node, build, int32_t(i));
+		add(parent, node, "Object" + String::num_int64(index_of(objects[i])));
+		add_geometry(node, model.objects[i].mesh, model.materials, "Geometry");
+		add_instances(node, model, int32_t(i));
 	}
 }
 

@@ -20,13 +20,13 @@ class PCGLot;
 // The middle of a lot's corners: where its node stands.
 glm::vec3 middle_of(const std::vector<glm::vec3> &polygon);
 
-// Puts a city into the scene: below `root` the streets, a node for each block with its lots, their geometry and a node for each entrance, zone
+// Puts a city into the scene: below `root` the streets, tile by tile, a node for each block with its lots, their geometry and a node for each entrance, zone
 // and object, and one with the regions for walking, tile by tile.
 class CityBuilder {
 public:
 	CityBuilder(godot::Node3D *root, const City &city, const CollisionSettings &collision = {});
 
-	// Streets first, then block by block the ground and the lots, one piece a call. False once all are there.
+	// Streets first, by tile, then block by block the ground and the lots, one piece a call. False once all are there.
 	bool build_next();
 	double progress() const { return double(_next_block) / double(std::max<size_t>(1, _city.layout.blocks.size())); }
 	void add_region(uint32_t tile, const godot::Ref<godot::NavigationMesh> &mesh);
@@ -41,23 +41,26 @@ public:
 	static constexpr const char *group = "pcg_generated";
 
 private:
-	void build_streets();
+	void build_streets(size_t tile);
 	void begin_block(BlockId block);
+	// A part of the public ground and what stands on it.
+	void fill_ground(godot::Node3D *node, const GroundBuild &build, const char *name);
 	void add(godot::Node *parent, godot::Node *child, const godot::String &name);
 	void add_geometry(godot::Node *parent, const Mesh &mesh, const std::vector<Material> &materials, const char *name,
 			godot::Vector3 position = {});
-	// Of one of the lot's objects, or of the lot itself (-1).
-	void add_instances(godot::Node *parent, const LotBuild &build, int32_t object, godot::Vector3 position = {});
+	// Of one of the model's objects, or of none of them (-1).
+	void add_instances(godot::Node *parent, const cga::DerivationResult &model, int32_t object, godot::Vector3 position = {});
 	void build_lot(godot::Node3D *parent, LotId lot);
 	void build_entrances(godot::Node3D *lot, const LotBuild &build, godot::Vector3 origin);
-	void build_zones(godot::Node3D *lot, const LotBuild &build, godot::Vector3 origin);
-	void build_objects(godot::Node3D *lot, const LotBuild &build, godot::Vector3 origin);
+	void build_zones(godot::Node3D *parent, const std::vector<ZoneId> &zones, godot::Vector3 origin);
+	void build_objects(godot::Node3D *parent, const std::vector<ObjectId> &objects, const cga::DerivationResult &model, godot::Vector3 origin);
 
 	godot::Node3D *_root;
 	const City &_city;
 	CollisionSettings _collision;
 	godot::Node *_owner; // of everything that is made, so that it is saved with the scene
-	bool _has_streets = false;
+	size_t _next_tile = 0; // of streets
+	godot::ObjectID _streets; // their node
 	uint32_t _next_block = 0;
 	size_t _next_lot = 0; // of the block before that one
 	godot::ObjectID _block; // its node; a user may free it meanwhile

@@ -76,6 +76,7 @@ void CityEdits::follow(std::shared_ptr<CityState> state) {
 	_building_of_lot.clear();
 	_lot_of_building.clear();
 	_footprints.clear();
+	_overlaps.clear();
 }
 
 void CityEdits::forget_ids() {
@@ -354,6 +355,15 @@ CityEdits::Patches CityEdits::patches() const {
 		result[{ Obstacle, object }] = { footprint, {} };
 	}
 	return result;
+}
+
+void CityEdits::mark_overlaps() {
+	std::vector<CityOverlaps::PlacedLot> lots;
+	for (const auto &[object, place] : _lots) {
+		const bool is_at_home = place.motion.is_equal_approx(Transform3D());
+		lots.push_back({ object, place.lot, is_at_home, placed(place.motion, _state->city.layout.lot(place.lot).polygon) });
+	}
+	_overlaps.mark(_state->city.layout, lots);
 }
 
 void CityEdits::mark_reach(std::span<const Reach> verdicts) const {

@@ -12,6 +12,7 @@
 
 #include "godot/nodes/city_job.h"
 #include "godot/nodes/city_link.h"
+#include "godot/nodes/city_overlaps.h"
 
 namespace pcg {
 
@@ -46,6 +47,7 @@ public:
 	// What the lots and objects that stand in the tree do to the ground for walking. By what changes it: the kind, then whose it is.
 	using Patches = std::map<std::pair<int, uint64_t>, GroundPatch>;
 	Patches patches() const;
+	void mark_overlaps(); // on the nodes of lots, after lots came, moved or went
 	void mark_reach(std::span<const Reach> verdicts) const; // by EntranceId
 	// The node goes, and what its record says is somebody else's to decide.
 	void release(const godot::Node *node);
@@ -85,6 +87,7 @@ private:
 	std::unordered_map<uint32_t, uint64_t> _lot_of_building;
 	std::map<uint64_t, std::vector<glm::vec3>> _footprints; // by object
 	Changes _changes;
+	CityOverlaps _overlaps;
 };
 
 } // namespace pcg

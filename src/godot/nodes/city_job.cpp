@@ -18,6 +18,7 @@ CityOptions CityJob::options() {
 	CityOptions options;
 	options.derive.assets = _assets.get();
 	options.free_ground = _input.free_ground;
+	options.streets = _input.streets;
 	options.work.cancel = &is_cancelled;
 	options.work.progress = [this](size_t done, size_t total) { progress = float(done) / float(total); };
 	return options;

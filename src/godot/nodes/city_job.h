@@ -34,6 +34,7 @@ struct CityInput {
 	std::string geojson; // a path; empty: none
 	std::vector<Footprint> footprints;
 	RulesByType rules;
+	LotRules streets; // without a program they are plain
 	std::vector<std::string> asset_folders; // beside the rule files' own projects
 	FreeGroundOptions free_ground;
 };

@@ -6,7 +6,6 @@
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
 #include "godot/convert.h"
-#include "godot/nodes/drawn_footprints.h"
 #include "godot/report.h"
 
 using namespace godot;
@@ -48,6 +47,11 @@ void PCGCity::set_lot_types(const TypedArray<PCGLotType> &p_types) {
 	update_configuration_warnings();
 }
 
+void PCGCity::set_street_rules(const Ref<PCGRuleSet> &p_rules) {
+	_street_rules = p_rules;
+	update_configuration_warnings();
+}
+
 void PCGCity::set_agent_radius(double p_metres) {
 	ERR_FAIL_COND_MSG(!(p_metres >= 0.0 && p_metres <= 1.0), "PCGCity: agent_radius is 0 m to 1 m; wider people do not pass a door.");
 	_agent_radius = p_metres;
@@ -86,47 +90,6 @@ void PCGCity::_notification(int p_what) {
 	}
 }
 
-bool PCGCity::prepare_job(CityInput &input, Diagnostics &diagnostics) const {
-	if (_layout.is_valid()) {
-		input.layout = _layout->parameters();
-		input.has_footprints = _layout->get_kind() == PCGLayout::KIND_FOOTPRINTS;
-		input.geojson = from_godot(_layout->get_geojson());
-		input.footprints = input.has_footprints ? drawn_footprints(this) : std::vector<Footprint>();
-	} else {
-		diagnostics.error("missing-layout", "PCGCity has no layout", "set its `layout` to a PCGLayout");
-	}
-	input.layout.seed = uint64_t(_seed);
-	input.layout.land_use.clear();
-	return prepare_rules(input, diagnostics);
-}
-
-bool PCGCity::prepare_rules(CityInput &input, Diagnostics &diagnostics) const {
-	input.asset_folders = from_godot(_asset_folders);
-	input.free_ground.step_height = float(_agent_max_climb);
-	input.free_ground.head_height = float(_agent_height) + 0.25f; // people do not like to brush against it
-	if (_lot_types.is_empty()) {
-		diagnostics.error("missing-lot-types", "PCGCity has no lot types",
-				"add a PCGLotType for each kind of lot to `lot_types`, with the rules that build it");
-	}
-	for (int64_t i = 0; i < _lot_types.size(); ++i) {
-		const Ref<PCGLotType> type = _lot_types[i];
-		const Ref<PCGRuleSet> rules = type.is_valid() ? type->get_rules() : Ref<PCGRuleSet>();
-		if (rules.is_null()) {
-			diagnostics.error("missing-rules", "lot type " + std::to_string(i) + " of PCGCity has no rules", "give it a .cga file");
-			continue;
-		}
-		const std::string name = from_godot(type->get_type());
-		if (rules->get_dialect() != PCGRuleSet::DIALECT_CGA) {
-			diagnostics.error("wrong-dialect", "the rules of lot type \"" + name + "\" write agendas", "give it a .cga file");
-			continue;
-		}
-		diagnostics.append(rules->diagnostics());
-		input.layout.land_use.push_back({ name, type->get_weight() });
-		input.rules[name] = { rules->program(), from_godot(type->get_start_rule()), from_godot(type->get_attributes(), diagnostics) };
-	}
-	return !diagnostics.has_errors();
-}
-
 bool PCGCity::begin(bool is_async) {
 	ERR_FAIL_COND_V_MSG(is_generating(), false, "PCGCity: it is being generated already. Call cancel() first, or wait for city_generated.");
 	if (!is_inside_tree()) {
@@ -142,6 +105,7 @@ bool PCGCity::begin(bool is_async) {
 		tell_end(false);
 		return false;
 	}
+	prepare_streets(input, _diagnostics);
 	_job = std::make_unique<CityJob>(std::move(input));
 	_is_async = is_async;
 	emit_signal("generation_started");
@@ -342,6 +306,7 @@ void PCGCity::finish() {
 	_state = _job->state;
 	_edits.mark_reach(_job->reach);
 	report(_diagnostics);
+	update_configuration_warnings();
 	end(!_diagnostics.has_errors());
 	adopt_lost_nodes();
 	update_model();

@@ -35,6 +35,12 @@ public:
 	godot::Ref<PCGLayout> get_layout() const { return _layout; }
 	void set_lot_types(const godot::TypedArray<PCGLotType> &p_types);
 	godot::TypedArray<PCGLotType> get_lot_types() const { return _lot_types; }
+	void set_use_street_rules(bool p_enabled) { _use_street_rules = p_enabled; }
+	bool get_use_street_rules() const { return _use_street_rules; }
+	void set_street_rules(const godot::Ref<PCGRuleSet> &p_rules);
+	godot::Ref<PCGRuleSet> get_street_rules() const { return _street_rules; }
+	void set_street_attributes(const godot::Dictionary &p_attributes) { _street_attributes = p_attributes; }
+	godot::Dictionary get_street_attributes() const { return _street_attributes; }
 	void set_seed(int64_t p_seed) { _seed = p_seed; }
 	int64_t get_seed() const { return _seed; }
 	void set_generate_on_ready(bool p_enabled) { _generate_on_ready = p_enabled; }
@@ -103,14 +109,17 @@ protected:
 
 private:
 	static void bind_properties();
+	static void bind_streets();
 	static void bind_navigation();
 	static void bind_collision();
 
 	enum class Stage { Idle, Growing, Building, Baking, Joining };
 
 	bool begin(bool is_async);
+	// pcg_city_input.cpp
 	bool prepare_job(CityInput &input, Diagnostics &diagnostics) const;
 	bool prepare_rules(CityInput &input, Diagnostics &diagnostics) const;
+	void prepare_streets(CityInput &input, Diagnostics &diagnostics) const;
 	bool load_saved();
 	void read_regions(CityState &state) const;
 	BakeSettings bake_settings() const;
@@ -141,6 +150,9 @@ private:
 
 	godot::Ref<PCGLayout> _layout;
 	godot::TypedArray<PCGLotType> _lot_types;
+	bool _use_street_rules = true;
+	godot::Ref<PCGRuleSet> _street_rules; // null: those that ship
+	godot::Dictionary _street_attributes;
 	int64_t _seed = 1;
 	bool _generate_on_ready = false;
 	double _agent_radius = 0.25;

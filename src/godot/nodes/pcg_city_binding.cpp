@@ -30,8 +30,22 @@ void PCGCity::bind_properties() {
 	ClassDB::bind_method(D_METHOD("get_saved_city"), &PCGCity::get_saved_city);
 	ADD_PROPERTY(PropertyInfo(Variant::PACKED_BYTE_ARRAY, "saved_city", PROPERTY_HINT_NONE, "", PROPERTY_USAGE_STORAGE), "set_saved_city",
 			"get_saved_city");
+	bind_streets();
 	bind_navigation();
 	bind_collision();
+}
+
+void PCGCity::bind_streets() {
+	ADD_GROUP("Streets", "");
+	ClassDB::bind_method(D_METHOD("set_use_street_rules", "enabled"), &PCGCity::set_use_street_rules);
+	ClassDB::bind_method(D_METHOD("get_use_street_rules"), &PCGCity::get_use_street_rules);
+	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "use_street_rules"), "set_use_street_rules", "get_use_street_rules");
+	ClassDB::bind_method(D_METHOD("set_street_rules", "rules"), &PCGCity::set_street_rules);
+	ClassDB::bind_method(D_METHOD("get_street_rules"), &PCGCity::get_street_rules);
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "street_rules", PROPERTY_HINT_RESOURCE_TYPE, "PCGRuleSet"), "set_street_rules", "get_street_rules");
+	ClassDB::bind_method(D_METHOD("set_street_attributes", "attributes"), &PCGCity::set_street_attributes);
+	ClassDB::bind_method(D_METHOD("get_street_attributes"), &PCGCity::get_street_attributes);
+	ADD_PROPERTY(PropertyInfo(Variant::DICTIONARY, "street_attributes"), "set_street_attributes", "get_street_attributes");
 }
 
 void PCGCity::bind_navigation() {

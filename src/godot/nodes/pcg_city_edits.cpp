@@ -54,6 +54,9 @@ void PCGCity::update_model() {
 	if (_ground && changes.has_new_ground) {
 		_ground->change(_edits.patches());
 	}
+	if (changes.has_new_ground) {
+		_edits.mark_overlaps();
+	}
 	if (!_state) {
 		return; // not finished: ways are found afterwards
 	}

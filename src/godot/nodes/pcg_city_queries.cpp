@@ -45,6 +45,12 @@ Dictionary PCGCity::get_statistics() const {
 		faces += int64_t(lot.model.face_count);
 		instances += int64_t(lot.model.instances.size());
 	}
+	for (const std::vector<GroundBuild> *builds : { &city.ground.streets, &city.ground.blocks }) {
+		for (const GroundBuild &ground : *builds) {
+			faces += int64_t(ground.model.face_count);
+			instances += int64_t(ground.model.instances.size());
+		}
+	}
 	Dictionary entrances;
 	for (const Entrance &entrance : city.model.entrances()) {
 		if (entrance.is_removed) {

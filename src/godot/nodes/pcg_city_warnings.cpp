@@ -29,6 +29,14 @@ PackedStringArray PCGCity::_get_configuration_warnings() const {
 			warnings.push_back("The rules of lot type \"" + type->get_type() + "\" have errors; see their list of diagnostics.");
 		}
 	}
+	for (const Diagnostic &diagnostic : _diagnostics.list()) {
+		if (diagnostic.id == "overlap") {
+			warnings.push_back(to_godot(diagnostic.message + ". " + diagnostic.hint));
+		}
+	}
+	if (_street_rules.is_valid() && (_street_rules->get_dialect() != PCGRuleSet::DIALECT_CGA || _street_rules->has_errors())) {
+		warnings.push_back("The street rules have errors or are no .cga file, so streets will be plain; see their list of diagnostics.");
+	}
 	return warnings;
 }
 

@@ -1,6 +1,7 @@
 #include "godot/nodes/pcg_lot.h"
 
 #include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/core/object.hpp>
 
 using namespace godot;
 
@@ -19,6 +20,37 @@ void PCGLot::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_polygon", "polygon"), &PCGLot::set_polygon);
 	ClassDB::bind_method(D_METHOD("get_polygon"), &PCGLot::get_polygon);
 	ADD_PROPERTY(PropertyInfo(Variant::PACKED_VECTOR3_ARRAY, "polygon"), "set_polygon", "get_polygon");
+	ClassDB::bind_method(D_METHOD("get_overlapping_lots"), &PCGLot::get_overlapping_lots);
+}
+
+void PCGLot::set_overlaps(std::vector<Overlap> overlaps) {
+	if (_overlaps != overlaps) {
+		_overlaps = std::move(overlaps);
+		update_configuration_warnings();
+	}
+}
+
+TypedArray<PCGLot> PCGLot::get_overlapping_lots() const {
+	TypedArray<PCGLot> lots;
+	for (const Overlap &overlap : _overlaps) {
+		if (PCGLot *lot = Object::cast_to<PCGLot>(ObjectDB::get_instance(overlap.object))) {
+			lots.push_back(lot);
+		}
+	}
+	return lots;
+}
+
+String PCGLot::title() const { return String(get_name()) + (_type.is_empty() ? String() : " (" + _type + ")"); }
+
+PackedStringArray PCGLot::_get_configuration_warnings() const {
+	PackedStringArray warnings;
+	CityLink::warn(this, warnings);
+	for (const Overlap &overlap : _overlaps) {
+		if (const PCGLot *lot = Object::cast_to<PCGLot>(ObjectDB::get_instance(overlap.object))) {
+			warnings.push_back(title() + " and " + lot->title() + " overlap by " + String::num(overlap.area, 1) + " square metres. Move one of them.");
+		}
+	}
+	return warnings;
 }
 
 void PCGLot::set_lot_id(int p_id) {

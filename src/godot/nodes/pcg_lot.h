@@ -1,8 +1,12 @@
 #pragma once
 
+#include <vector>
+
 #include <godot_cpp/classes/node3d.hpp>
+#include <godot_cpp/variant/packed_string_array.hpp>
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 #include <godot_cpp/variant/string.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
 
 #include "godot/nodes/city_link.h"
 
@@ -22,6 +26,19 @@ public:
 	void set_polygon(const godot::PackedVector3Array &p_polygon) { _polygon = p_polygon; }
 	godot::PackedVector3Array get_polygon() const { return _polygon; }
 
+	// Other lots that stand on the same ground, and how many square metres of it; the city says so.
+	struct Overlap {
+		uint64_t object = 0;
+		double area = 0.0;
+
+		friend bool operator==(const Overlap &, const Overlap &) = default;
+	};
+	void set_overlaps(std::vector<Overlap> overlaps);
+	godot::TypedArray<PCGLot> get_overlapping_lots() const;
+	// "Lot12 (house)", for messages.
+	godot::String title() const;
+	godot::PackedStringArray _get_configuration_warnings() const override;
+
 	CityLink &link() { return _link; }
 
 protected:
@@ -33,6 +50,7 @@ private:
 	int _block_id = -1;
 	godot::String _type;
 	godot::PackedVector3Array _polygon;
+	std::vector<Overlap> _overlaps;
 };
 
 } // namespace pcg

@@ -1,7 +1,11 @@
 #include "godot/resources/pcg_lot_type.h"
 
+#include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>
+#include <godot_cpp/variant/packed_byte_array.hpp>
+
+#include "godot/convert.h"
 
 using namespace godot;
 
@@ -14,6 +18,9 @@ void PCGLotType::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_weight", "weight"), &PCGLotType::set_weight);
 	ClassDB::bind_method(D_METHOD("get_weight"), &PCGLotType::get_weight);
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "weight", PROPERTY_HINT_RANGE, "0,100,0.1,or_greater"), "set_weight", "get_weight");
+	ClassDB::bind_method(D_METHOD("set_weight_map", "map"), &PCGLotType::set_weight_map);
+	ClassDB::bind_method(D_METHOD("get_weight_map"), &PCGLotType::get_weight_map);
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "weight_map", PROPERTY_HINT_RESOURCE_TYPE, "Texture2D"), "set_weight_map", "get_weight_map");
 	ClassDB::bind_method(D_METHOD("set_rules", "rules"), &PCGLotType::set_rules);
 	ClassDB::bind_method(D_METHOD("get_rules"), &PCGLotType::get_rules);
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "rules", PROPERTY_HINT_RESOURCE_TYPE, "PCGRuleSet"), "set_rules", "get_rules");
@@ -34,6 +41,30 @@ void PCGLotType::set_weight(double p_weight) {
 	ERR_FAIL_COND_MSG(!(p_weight >= 0.0), "PCGLotType: a weight is 0 or more; it is relative to the weights of the other lot types.");
 	_weight = p_weight;
 	emit_changed();
+}
+
+void PCGLotType::set_weight_map(const Ref<Texture2D> &p_map) {
+	_weight_map = p_map;
+	emit_changed();
+}
+
+std::shared_ptr<const WeightMap> PCGLotType::weight_map(Diagnostics &diagnostics) const {
+	if (_weight_map.is_null()) {
+		return nullptr;
+	}
+	const Ref<Image> source = _weight_map->get_image();
+	Ref<Image> image = source.is_valid() ? Ref<Image>(source->duplicate()) : source;
+	if (image.is_null() || image->is_empty() || (image->is_compressed() && image->decompress() != OK)) {
+		diagnostics.error("bad-land-use", "the weight map of lot type \"" + from_godot(_type) + "\" has no picture", "give it an image, or none");
+		return nullptr;
+	}
+	image->convert(Image::FORMAT_L8);
+	const PackedByteArray pixels = image->get_data();
+	WeightMap map{ uint32_t(image->get_width()), uint32_t(image->get_height()), {} };
+	for (size_t i = 0; i < size_t(map.width) * map.height; ++i) { // smaller copies of the picture may follow
+		map.values.push_back(float(pixels[int64_t(i)]) / 255.0f);
+	}
+	return std::make_shared<const WeightMap>(std::move(map));
 }
 
 void PCGLotType::set_rules(const Ref<PCGRuleSet> &p_rules) {

@@ -21,6 +21,10 @@ City small_city(LayoutKind kind) {
 		city.lots[i].entrances = { EntranceId(2 * i), EntranceId(2 * i + 1) };
 		city.lots[i].model.face_count = 7 * i;
 	}
+	city.ground.streets.resize(city.layout.tiles.size());
+	city.ground.blocks.resize(city.layout.blocks.size());
+	city.ground.blocks[0].model.face_count = 5;
+	city.ground.blocks[0].objects = { ObjectId(3) };
 	return city;
 }
 
@@ -40,6 +44,8 @@ TEST_CASE("a city read back from its bytes writes the same bytes") {
 		CHECK(again->layout.lots.back().type == city.layout.lots.back().type);
 		CHECK(again->lots.back().free_ground == city.lots.back().free_ground);
 		CHECK(again->lots[3].entrances == city.lots[3].entrances);
+		CHECK(again->ground.blocks[0].objects == city.ground.blocks[0].objects);
+		CHECK(again->ground.blocks[0].model.face_count == 5);
 	}
 }
 

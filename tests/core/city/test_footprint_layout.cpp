@@ -100,7 +100,10 @@ TEST_CASE("many footprints and their open ground cover the map") {
 }
 
 TEST_CASE("footprints that overlap are warned of by name, and what cannot be built is refused") {
-	make({ box(0, 0, 10, 10), box(5, 5, 15, 15, "feature 1") }, 1);
+	const Layout layout = make({ box(0, 0, 10, 10), box(5, 5, 15, 15, "feature 1") }, 1);
+	REQUIRE(layout.overlaps.size() == 1);
+	CHECK(layout.overlaps[0].b == LotId(1));
+	CHECK(layout.overlaps[0].area == doctest::Approx(25.0));
 	CHECK(refused({}).find("no footprints") != std::string::npos);
 	CHECK(refused({ box(0, 0, 0.5, 0.5) }) == "feature 0: its outline has less than 1 square metre");
 	CHECK(refused({ box(0, 0, 1e6, 10) }).find("50 km") != std::string::npos);

@@ -136,7 +136,7 @@ TEST_CASE("a city has a node for each lot with its number and type") {
 	city.layout = *make_layout(layout_for_lots(4), diagnostics);
 	city.lots.resize(4);
 	city.lots[2].model = sample_model();
-	city.ground = make_ground(city.layout);
+	city.ground.blocks.push_back({ lot_ground(city.layout, city.layout.blocks[0]), {}, {} });
 	REQUIRE(write_glb(city, scratch("city.glb"), diagnostics));
 	const tinygltf::Model model = load(scratch("city.glb"));
 	REQUIRE(model.scenes[0].nodes.size() == 2);

@@ -33,6 +33,9 @@ static func make_city() -> PCGCity:
 			type.rules = load(path)
 			types.append(type)
 	city.lot_types = types
+	var streets: String = find_rules().path_join("cga/street.cga")
+	if FileAccess.file_exists(streets):
+		city.street_rules = load(streets) # by name, so that exported games bring it along
 	return city
 
 
