@@ -210,3 +210,38 @@ func test_a_block_is_generated_anew_without_the_lot_that_was_deleted() -> void:
 		check(lot.get_child_count() > 0, "the others have something on them")
 	expect_message("there is no lot of this number")
 	check(not city.regenerate_lot(1000), "no such lot")
+
+
+func test_a_loaded_city_says_what_it_needs_to_be_written_as_a_model() -> void:
+	var city: PCGCity = _grown(6)
+	var types: Array[PCGLotType] = city.lot_types
+	city.lot_types = []
+	_save(city, "user://city_of_tests.scn")
+	city.free()
+	city = await _load("user://city_of_tests.scn")
+	expect_message("Call generate() with its rules first")
+	check_equal(city.save_gltf("user://city_of_tests.glb"), ERR_UNAVAILABLE, "the scene holds no such geometry")
+	check(not FileAccess.file_exists("user://city_of_tests.glb"), "nothing is written")
+	city.lot_types = types
+	check(city.generate_now(), "made anew")
+	check_equal(city.save_gltf("user://city_of_tests.glb"), OK, "it is written")
+	check(FileAccess.get_file_as_bytes("user://city_of_tests.glb").size() > 10000, "with all that stands there")
+	DirAccess.remove_absolute("user://city_of_tests.glb")
+
+
+func test_a_loaded_city_keeps_its_regions_and_batches() -> void:
+	var city: PCGCity = CityForTests.make_city(12)
+	city.asset_folders = ["res://tests/assets"]
+	city.lot_types[0].rules = CityForTests.make_rules(CityForTests.HOUSE.replace("Yard --> X.", "Yard --> split(x) { 1: i(\"crate.obj\") X. }*"))
+	add_child(city)
+	check(city.generate_now(), "it generates: %s" % [city.get_diagnostics()])
+	var batches: Array = _nodes(city, "MultiMeshInstance3D").map(func(node: MultiMeshInstance3D) -> int: return node.multimesh.instance_count)
+	var regions: Array = _nodes(city, "NavigationRegion3D").map(func(node: NavigationRegion3D) -> int: return node.navigation_mesh.get_polygon_count())
+	check(not batches.is_empty() and batches[0] > 3, "there are batches: %s" % [batches])
+	check(not regions.is_empty() and regions[0] > 3, "and regions: %s" % [regions])
+	for path: String in ["user://city_of_tests.scn", "user://city_of_tests.tscn"]:
+		_save(city, path)
+		var again: PCGCity = await _load(path)
+		check_equal(_nodes(again, "MultiMeshInstance3D").map(func(node: MultiMeshInstance3D) -> int: return node.multimesh.instance_count), batches, "batches")
+		check_equal(_nodes(again, "NavigationRegion3D").map(func(node: NavigationRegion3D) -> int: return node.navigation_mesh.get_polygon_count()), regions, "regions")
+		again.free()

@@ -32,6 +32,25 @@ PackedVector3Array moved(const std::vector<glm::vec3> &polygon, glm::vec3 origin
 
 String block_name(BlockId block) { return "Block" + String::num_int64(index_of(block)); }
 
+constexpr size_t street_piece = 400; // faces
+
+// Of a flat mesh without texture coordinates, as the ground's are.
+Mesh part_of(const Mesh &mesh, size_t first, size_t end) {
+	Mesh part;
+	for (size_t i = first; i < end; ++i) {
+		MeshFace face = mesh.faces[i];
+		const uint32_t first_loop = face.first_loop;
+		face.first_loop = uint32_t(part.loop_ends.size());
+		for (uint32_t loop = first_loop; loop < first_loop + face.loop_count; ++loop) {
+			const std::span<const glm::vec3> corners = mesh.loop(loop);
+			part.positions.insert(part.positions.end(), corners.begin(), corners.end());
+			part.loop_ends.push_back(uint32_t(part.positions.size()));
+		}
+		part.faces.push_back(face);
+	}
+	return part;
+}
+
 Transform3D to_frame(const glm::mat4 &matrix) {
 	const glm::vec3 x(matrix[0]), y(matrix[1]), z(matrix[2]), origin(matrix[3]);
 	return Transform3D(Basis(to_godot(x), to_godot(y), to_godot(z)), to_godot(origin));
@@ -96,20 +115,39 @@ void CityBuilder::add_instances(Node *parent, const LotBuild &build, int32_t obj
 	}
 }
 
-void CityBuilder::build_streets() {
-	Node3D *streets = memnew(Node3D);
-	streets->add_to_group(group, true);
-	add(_root, streets, "Streets");
-	add_geometry(streets, _city.ground.streets, _city.ground.materials, "Geometry");
+// Pieces of the streets: drawn where they are in view, and made in slices of time. False once all are there.
+bool CityBuilder::build_streets() {
+	const Mesh &all = _city.ground.streets;
+	if (_streets.is_null()) {
+		Node3D *streets = memnew(Node3D);
+		streets->add_to_group(group, true);
+		add(_root, streets, "Streets");
+		_streets = ObjectID(streets->get_instance_id());
+	}
+	if (_next_street == all.faces.size()) {
+		return false;
+	}
+	const size_t end = std::min(_next_street + street_piece, all.faces.size());
+	Node3D *streets = Object::cast_to<Node3D>(ObjectDB::get_instance(_streets));
+	if (streets != nullptr) { // nobody has freed it meanwhile
+		add_geometry(streets, part_of(all, _next_street, end), _city.ground.materials, "Geometry");
+	}
+	_next_street = end;
+	return true;
 }
 
 bool CityBuilder::build_next() {
-	if (!_has_streets) {
-		_has_streets = true;
-		build_streets();
+	if (build_streets()) {
 		return true;
 	}
 	const std::vector<CityBlock> &blocks = _city.layout.blocks;
+	if (_bare_lot.is_valid()) {
+		if (Node3D *lot = Object::cast_to<Node3D>(ObjectDB::get_instance(_bare_lot))) {
+			furnish_lot(lot, blocks[_next_block - 1].lots[_next_lot - 1]);
+		}
+		_bare_lot = ObjectID();
+		return true;
+	}
 	if (_next_block > 0 && _next_lot < blocks[_next_block - 1].lots.size()) {
 		const LotId lot = blocks[_next_block - 1].lots[_next_lot++];
 		if (Node3D *block = Object::cast_to<Node3D>(ObjectDB::get_instance(_block))) {
@@ -122,6 +160,26 @@ bool CityBuilder::build_next() {
 	}
 	begin_block(BlockId(_next_block++));
 	return true;
+}
+
+double CityBuilder::next_work() const {
+	constexpr double work_of_node = 10.0, least = 10.0;
+	const std::vector<CityBlock> &blocks = _city.layout.blocks;
+	if (const size_t rest = _city.ground.streets.faces.size() - _next_street; rest > 0) {
+		return least + double(std::min(rest, street_piece));
+	}
+	if (_next_block > 0 && (_bare_lot.is_valid() || _next_lot < blocks[_next_block - 1].lots.size())) {
+		const LotBuild &build = _city.lots[index_of(blocks[_next_block - 1].lots[_next_lot - (_bare_lot.is_valid() ? 1 : 0)])];
+		if (!_bare_lot.is_valid()) {
+			return least + double(build.model.mesh.faces.size());
+		}
+		double faces = double(build.model.instances.size());
+		for (const auto &object : build.model.objects) {
+			faces += double(object.mesh.faces.size());
+		}
+		return least + faces + work_of_node * double(build.entrances.size() + build.zones.size() + build.objects.size());
+	}
+	return least + (_next_block < _city.ground.blocks.size() ? double(_city.ground.blocks[_next_block].faces.size()) : 0.0);
 }
 
 void CityBuilder::begin_block(BlockId id) {
@@ -191,13 +249,23 @@ void CityBuilder::build_lot(Node3D *parent, LotId id) {
 	node->set_position(to_godot(origin));
 	node->add_to_group("pcg_lots", true);
 	add(parent, node, "Lot" + String::num_int64(index_of(id)));
-	fill_lot(node, id);
+	add_lot_geometry(node, id);
+	_bare_lot = ObjectID(node->get_instance_id());
 }
 
 void CityBuilder::fill_lot(PCGLot *node, LotId id) {
+	add_lot_geometry(node, id);
+	furnish_lot(node, id);
+}
+
+void CityBuilder::add_lot_geometry(Node3D *node, LotId id) {
+	const LotBuild &build = _city.lots[index_of(id)];
+	add_geometry(node, build.model.mesh, build.model.materials, "Geometry", -to_godot(middle_of(_city.layout.lot(id).polygon)));
+}
+
+void CityBuilder::furnish_lot(Node3D *node, LotId id) {
 	const LotBuild &build = _city.lots[index_of(id)];
 	const Vector3 origin = to_godot(middle_of(_city.layout.lot(id).polygon));
-	add_geometry(node, build.model.mesh, build.model.materials, "Geometry", -origin);
 	add_instances(node, build, -1, -origin);
 	build_entrances(node, build, origin);
 	build_zones(node, build, origin);

@@ -26,8 +26,11 @@ class CityBuilder {
 public:
 	CityBuilder(godot::Node3D *root, const City &city, const CollisionSettings &collision = {});
 
-	// Streets first, then block by block the ground and the lots, one piece a call. False once all are there.
+	// Streets first, then block by block the ground and the lots, a piece a call: some hundred faces of streets, the geometry of a lot, what stands on it.
+	// False once all are there.
 	bool build_next();
+	// About how much work the next piece is; 1 is that of a face.
+	double next_work() const;
 	double progress() const { return double(_next_block) / double(std::max<size_t>(1, _city.layout.blocks.size())); }
 	void add_region(uint32_t tile, const godot::Ref<godot::NavigationMesh> &mesh);
 	// Of a lot's node: takes away all that generation made, and makes it of what the city says now. What was put there by hand stays.
@@ -41,7 +44,7 @@ public:
 	static constexpr const char *group = "pcg_generated";
 
 private:
-	void build_streets();
+	bool build_streets();
 	void begin_block(BlockId block);
 	void add(godot::Node *parent, godot::Node *child, const godot::String &name);
 	void add_geometry(godot::Node *parent, const Mesh &mesh, const std::vector<Material> &materials, const char *name,
@@ -49,6 +52,8 @@ private:
 	// Of one of the lot's objects, or of the lot itself (-1).
 	void add_instances(godot::Node *parent, const LotBuild &build, int32_t object, godot::Vector3 position = {});
 	void build_lot(godot::Node3D *parent, LotId lot);
+	void add_lot_geometry(godot::Node3D *lot, LotId id);
+	void furnish_lot(godot::Node3D *lot, LotId id);
 	void build_entrances(godot::Node3D *lot, const LotBuild &build, godot::Vector3 origin);
 	void build_zones(godot::Node3D *lot, const LotBuild &build, godot::Vector3 origin);
 	void build_objects(godot::Node3D *lot, const LotBuild &build, godot::Vector3 origin);
@@ -57,10 +62,11 @@ private:
 	const City &_city;
 	CollisionSettings _collision;
 	godot::Node *_owner; // of everything that is made, so that it is saved with the scene
-	bool _has_streets = false;
+	godot::ObjectID _streets; // their node
+	size_t _next_street = 0; // face
 	uint32_t _next_block = 0;
 	size_t _next_lot = 0; // of the block before that one
-	godot::ObjectID _block; // its node; a user may free it meanwhile
+	godot::ObjectID _block, _bare_lot; // its node, and that of a lot with nothing but its geometry yet; a user may free them meanwhile
 	CityMaterials _materials;
 	CityInstances _instances{ _materials };
 };

@@ -12,13 +12,32 @@ using namespace godot;
 
 namespace pcg {
 
+namespace {
+
+constexpr float off_line = 1e-3f; // metres
+
+} // namespace
+
 TileBaker::TileBaker(const City &city, BakeSettings settings) : _city(city), _settings(settings) {
 	_jobs.resize(city.layout.tiles.size());
 }
 
 float TileBaker::snap(float metres) const { return std::round(metres / _settings.cell_size) * _settings.cell_size; }
 
+// The engine warns where its remainder by the size of cells is not nearly 0, which depends on how the two are rounded.
+float TileBaker::border_size() const {
+	float size = border;
+	for (float cells = std::ceil(border / _settings.cell_size); cells < 64.0f; ++cells) {
+		size = cells * _settings.cell_size;
+		if (std::fmod(size, _settings.cell_size) < 1e-5f) {
+			break;
+		}
+	}
+	return size;
+}
+
 AABB TileBaker::snapped(glm::vec3 min, glm::vec3 max) const {
+	const float border = border_size();
 	const Vector3 low(snap(min.x) - border, -1.0f, snap(min.z) - border);
 	const Vector3 high(snap(max.x) + border, 3.0f, snap(max.z) + border);
 	return AABB(low, high - low);
@@ -27,7 +46,7 @@ AABB TileBaker::snapped(glm::vec3 min, glm::vec3 max) const {
 void TileBaker::bake(uint32_t tile, bool is_async) {
 	Job &job = _jobs[tile];
 	const Tile &place = _city.layout.tiles[tile];
-	const std::vector<glm::vec3> triangles = tile_faces(_city, place, border, false);
+	const std::vector<glm::vec3> triangles = tile_faces(_city, place, border_size(), false);
 	PackedVector3Array faces; // the baker wants the engine's winding: clockwise from above
 	for (size_t i = 0; i + 2 < triangles.size(); i += 3) {
 		faces.push_back(to_godot(triangles[i]));
@@ -39,11 +58,11 @@ void TileBaker::bake(uint32_t tile, bool is_async) {
 	job.mesh.instantiate();
 	job.mesh->set_cell_size(_settings.cell_size);
 	job.mesh->set_cell_height(_settings.cell_height);
-	job.mesh->set_agent_radius(_settings.agent_radius);
+	job.mesh->set_agent_radius(std::ceil(_settings.agent_radius / _settings.cell_size - 1e-4f) * _settings.cell_size);
 	job.mesh->set_agent_height(std::ceil(_settings.agent_height / _settings.cell_height) * _settings.cell_height);
 	job.mesh->set_agent_max_climb(std::floor(_settings.agent_max_climb / _settings.cell_height) * _settings.cell_height);
 	job.mesh->set_agent_max_slope(_settings.agent_max_slope);
-	job.mesh->set_border_size(border);
+	job.mesh->set_border_size(border_size());
 	job.mesh->set_filter_baking_aabb(snapped(place.min, place.max));
 	job.is_finished = faces.is_empty(); // the engine would complain
 	if (job.is_finished) {
@@ -70,9 +89,10 @@ Ref<NavigationMesh> TileBaker::finish(uint32_t tile) {
 		PackedVector3Array vertices = job.mesh->get_vertices();
 		Vector3 *vertex = vertices.ptrw();
 		for (int64_t i = 0; i < vertices.size(); ++i) {
-			vertex[i].y -= 2.0f * _settings.cell_height;
+			vertex[i] += Vector3(off_line, off_line - 2.0f * _settings.cell_height, off_line);
 		}
 		job.mesh->set_vertices(vertices);
+		job.mesh->set_cell_size(_settings.map_cell_size); // the map takes no others
 	}
 	return job.mesh;
 }
