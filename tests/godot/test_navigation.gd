@@ -2,6 +2,7 @@ extends "res://tests/godot/suite.gd"
 ## Ways of the city compared with those of the engine's own navigation server, on the same polygons.
 
 const CityForTests := preload("res://tests/godot/city_for_tests.gd")
+const DemoCity := preload("res://demo/demo_city.gd")
 const PAIRS := 1000
 
 
@@ -114,6 +115,18 @@ func test_no_layout_has_edges_in_which_more_than_two_polygons_meet() -> void:
 				check_equal(_count_crowded_edges(region.navigation_mesh), 0, "%s of layout %d with cells of %s m" % [region.name, kind, cell])
 			city.free()
 			await get_tree().process_frame
+
+
+# On one of its tiles the engine's baker lays four polygons at one edge.
+func test_polygons_that_the_baker_lays_over_others_are_left_out() -> void:
+	var city: PCGCity = DemoCity.make_city(240, 15)
+	city.layout.kind = PCGLayout.KIND_RADIAL
+	city.layout.fit_lots(240)
+	city.layout.jitter = 0.15
+	add_child(city)
+	check(city.generate_now(), "it generates: %s" % [city.get_diagnostics()])
+	for region: NavigationRegion3D in city.find_children("*", "NavigationRegion3D", true, false):
+		check_equal(_count_crowded_edges(region.navigation_mesh), 0, region.name)
 
 
 func test_cells_are_whole_multiples_of_those_of_the_map() -> void:

@@ -1,8 +1,13 @@
 #include "godot/ports/tile_baker.h"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
 
 #include <godot_cpp/classes/navigation_server3d.hpp>
+#include <godot_cpp/variant/packed_int32_array.hpp>
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 
 #include "core/city/walkable.h"
@@ -15,6 +20,49 @@ namespace pcg {
 namespace {
 
 constexpr float off_line = 1e-3f; // metres
+
+float area_of(const PackedVector3Array &vertices, const PackedInt32Array &polygon) {
+	float doubled = 0.0f;
+	for (int64_t i = 1; i + 1 < polygon.size(); ++i) {
+		doubled += (vertices[polygon[i]] - vertices[polygon[0]]).cross(vertices[polygon[i + 1]] - vertices[polygon[0]]).length();
+	}
+	return doubled / 2.0f;
+}
+
+// Where outlines touch themselves the engine's baker lays polygons over one another, and the map complains of edges that more than two share. The smallest
+// on such an edge go: what they lie on stays.
+void remove_overlaid(const Ref<NavigationMesh> &mesh) {
+	const PackedVector3Array vertices = mesh->get_vertices();
+	std::vector<PackedInt32Array> polygons;
+	std::vector<std::pair<float, size_t>> by_area; // the largest first
+	for (int i = 0; i < mesh->get_polygon_count(); ++i) {
+		polygons.push_back(mesh->get_polygon(i));
+		by_area.emplace_back(-area_of(vertices, polygons.back()), size_t(i));
+	}
+	std::sort(by_area.begin(), by_area.end());
+	std::map<std::pair<int32_t, int32_t>, int> users; // of edges, by their ends
+	std::vector<bool> is_kept(polygons.size());
+	for (const auto &[area, index] : by_area) {
+		const PackedInt32Array &polygon = polygons[index];
+		std::vector<int *> counts;
+		for (int64_t i = 0; i < polygon.size(); ++i) {
+			counts.push_back(&users[std::minmax(int32_t(polygon[i]), int32_t(polygon[(i + 1) % polygon.size()]))]);
+		}
+		is_kept[index] = std::ranges::all_of(counts, [](const int *count) { return *count < 2; });
+		for (int *count : counts) {
+			*count += is_kept[index];
+		}
+	}
+	if (std::ranges::find(is_kept, false) == is_kept.end()) {
+		return;
+	}
+	mesh->clear_polygons();
+	for (size_t i = 0; i < polygons.size(); ++i) {
+		if (is_kept[i]) {
+			mesh->add_polygon(polygons[i]);
+		}
+	}
+}
 
 } // namespace
 
@@ -92,6 +140,7 @@ Ref<NavigationMesh> TileBaker::finish(uint32_t tile) {
 			vertex[i] += Vector3(off_line, off_line - 2.0f * _settings.cell_height, off_line);
 		}
 		job.mesh->set_vertices(vertices);
+		remove_overlaid(job.mesh);
 		job.mesh->set_cell_size(_settings.map_cell_size); // the map takes no others
 	}
 	return job.mesh;
