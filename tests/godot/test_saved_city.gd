@@ -239,8 +239,12 @@ func test_a_loaded_city_keeps_its_regions_and_batches() -> void:
 	var regions: Array = _nodes(city, "NavigationRegion3D").map(func(node: NavigationRegion3D) -> int: return node.navigation_mesh.get_polygon_count())
 	check(not batches.is_empty() and batches[0] > 3, "there are batches: %s" % [batches])
 	check(not regions.is_empty() and regions[0] > 3, "and regions: %s" % [regions])
-	for path: String in ["user://city_of_tests.scn", "user://city_of_tests.tscn"]:
+	var paths: Array[String] = ["user://city_of_tests.scn", "user://city_of_tests.tscn"]
+	for path: String in paths:
 		_save(city, path)
+	city.free() # two cities in one place are too much for the map
+	for path: String in paths:
+		await get_tree().physics_frame
 		var again: PCGCity = await _load(path)
 		check_equal(_nodes(again, "MultiMeshInstance3D").map(func(node: MultiMeshInstance3D) -> int: return node.multimesh.instance_count), batches, "batches")
 		check_equal(_nodes(again, "NavigationRegion3D").map(func(node: NavigationRegion3D) -> int: return node.navigation_mesh.get_polygon_count()), regions, "regions")
