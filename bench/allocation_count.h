@@ -30,7 +30,7 @@ void *operator new(size_t size) {
 	heap.most_bytes = heap.bytes > heap.most_bytes ? heap.bytes : heap.most_bytes;
 	return memory;
 }
-void operator delete(void *memory) noexcept {
+[[gnu::noinline]] void operator delete(void *memory) noexcept { // in line, compilers take malloc and free for a mismatch
 	pcg::bench::heap.bytes -= memory != nullptr ? malloc_usable_size(memory) : 0;
 	std::free(memory);
 }

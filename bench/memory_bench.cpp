@@ -1,7 +1,13 @@
+#include <optional>
+
 #include "bench/allocation_count.h"
 #include "bench/cga_bench.h"
+#include "bench/house_rules.h"
+#include "core/city/city_generator.h"
+#include "core/city/walkable.h"
+#include "core/navigation/nav_mesh_paths.h"
 
-// Memory of derivations by face of the model, on one thread. A program of its own, because counting takes time.
+// Memory of cities by building, and of derivations by face of the model, on one thread. A program of its own, because counting takes time.
 namespace {
 
 using namespace pcg;
@@ -18,7 +24,7 @@ size_t bytes_of(const Mesh &mesh) {
 
 // What a derivation needs beside its result: arena, builders, the lists of waiting shapes, what growing lists leave behind; and, as this is the
 // interpreter's first, the models that it reads.
-void bench_memory(const Building &building, const Program &program) {
+void bench_memory(const bench::Building &building, const Program &program) {
 	cga::Deriver deriver(program, options());
 	const size_t before = heap.bytes;
 	heap.most_bytes = before;
@@ -29,10 +35,34 @@ void bench_memory(const Building &building, const Program &program) {
 	print(name + "_result_bytes", result / faces, "bytes/face");
 }
 
+// What 10,000 buildings take, on the ground that the core makes of a layout.
+void bench_city() {
+	constexpr double limit = 2000.0; // bytes a building: meaning, ground and the graph of its corners
+	Diagnostics diagnostics;
+	MemorySourceProvider sources;
+	sources.add("house.cga", std::string(house_rules));
+	const RulesByType rules = { { "", { load_program("house.cga", cga::cga_dialect(), sources, diagnostics), {}, {} } } };
+	const std::optional<City> city = generate_city(*make_layout(layout_for_lots(10'000), diagnostics), rules, {}, diagnostics);
+	const double count = double(city->model.buildings().size());
+	size_t before = heap.bytes;
+	const CityModel model = city->model;
+	const double of_model = double(heap.bytes - before) / count;
+	before = heap.bytes;
+	const NavMesh mesh = city_nav_mesh(*city);
+	const double of_ground = double(heap.bytes - before) / count;
+	before = heap.bytes;
+	const NavMeshPaths paths(model, mesh);
+	print("city_model_bytes", of_model, "bytes/building");
+	print("city_ground_bytes", of_ground, "bytes/building");
+	print("city_model_and_ground_bytes", of_model + of_ground, "bytes/building", limit);
+	print("city_known_distances_bytes", double(heap.bytes - before) / count, "bytes/building");
+}
+
 } // namespace
 
 int main() {
-	for (const Building &building : buildings) {
+	bench_city();
+	for (const bench::Building &building : buildings) {
 		if (const auto program = loaded(building.name)) {
 			bench_memory(building, *program);
 		}

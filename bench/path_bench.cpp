@@ -1,4 +1,5 @@
 // How fast a city is made and walked in. Prints one JSON object a figure.
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <optional>
@@ -70,6 +71,29 @@ void measure_distances(const City &city, const NavMesh &mesh) {
 	bench::print("known distance", seconds_of(ask_all) / pairs * 1e9, "ns");
 }
 
+// A lot in the middle is cleared. Told is what an engine that bakes tile by tile would tell: that something in its tile, of 80 m, has changed.
+void measure_edit(City city, const NavMesh &before, double whole_seconds) {
+	const Lot &lot = city.layout.lots[city.layout.lots.size() / 2];
+	city.patches.push_back({ lot.polygon, {} });
+	PlanBox tile;
+	tile.add(lot.polygon[0] + glm::vec3(40.0f, 0.0f, 40.0f));
+	tile.add(lot.polygon[0] - glm::vec3(40.0f, 0.0f, 40.0f));
+	NavMeshOptions options;
+	options.margin = 0.05f; // as city_nav_mesh()
+	const NavRegion region = city_nav_region(city);
+	NavMesh after;
+	const double seconds = seconds_of([&] { after = NavMesh::rebuild(before, { &tile, 1 }, { &region, 1 }, options); });
+	bench::print("walking mesh of 300 lots after an edit", seconds * 1e3, "ms", whole_seconds * 1e3);
+}
+
+void measure_nearest(const City &city, const NavMesh &mesh) {
+	const NavMeshPaths paths(city.model, mesh);
+	const TypeId type = city.model.entrances()[0].type;
+	BuildingId nearest = BuildingId::Invalid;
+	const double seconds = seconds_of([&] { nearest = paths.nearest_building(type, BuildingId(1)); });
+	bench::print("nearest of a type, for all of 10,000 buildings", is_valid(nearest) ? seconds : INFINITY, "s");
+}
+
 void measure_large(Diagnostics &diagnostics) {
 	std::optional<City> city;
 	bench::print("10,000 lots generated, one thread", seconds_of([&] { city = make_city(10'000, diagnostics); }), "s");
@@ -85,6 +109,7 @@ void measure_large(Diagnostics &diagnostics) {
 		}
 	});
 	bench::print("distance never asked before, 10,000 lots", seconds / queries * 1e6, "us");
+	measure_nearest(*city, mesh);
 }
 
 } // namespace
@@ -101,6 +126,7 @@ int main() {
 	NavMesh mesh;
 	const double mesh_seconds = seconds_of([&] { mesh = city_nav_mesh(*city); });
 	bench::print("walking mesh of 300 lots", mesh_seconds * 1e3, "ms", recast_ms);
+	measure_edit(*city, mesh, mesh_seconds);
 	measure_queries(*city, mesh);
 	measure_distances(*city, mesh);
 	measure_large(diagnostics);

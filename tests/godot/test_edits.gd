@@ -311,3 +311,31 @@ func test_lots_that_were_drawn_over_each_other_know_it() -> void:
 	lots.sort_custom(func(a: PCGLot, b: PCGLot) -> bool: return a.lot_id < b.lot_id)
 	check_equal(lots[0].get_overlapping_lots(), [lots[1]] as Array[PCGLot], "the one over the other")
 	check_equal(lots[2].get_overlapping_lots().size(), 0, "but not the third")
+
+
+func test_what_is_done_by_hand_while_a_city_is_made_holds() -> void:
+	await _settle() # the first generation has been told
+	var done: Array[String] = []
+	var moved: Array[PCGEntrance] = []
+	_city.generation_progressed.connect(func(stage: String, fraction: float) -> void:
+		if stage in done or stage == "lots" or (stage == "scene" and fraction < 0.5):
+			return
+		done.append(stage)
+		var door: PCGEntrance = _first(&"pcg_entrances")
+		if stage == "navigation": # its ground is handed over to be baked
+			moved.append(door)
+			door.global_position += Vector3(0.5, 0, 0)
+		else:
+			door.get_parent().free())
+	check(_city.generate(), "it is made anew")
+	check_equal(await _city.city_generated, true, "it is there: %s" % [_city.get_diagnostics()])
+	await _wait_for_navigation()
+	check_equal(done, ["scene", "navigation", "distances"] as Array[String], "in each stage something was done")
+	var doors: Array = get_tree().get_nodes_in_group(&"pcg_entrances").filter(func(node: Node) -> bool: return _city.is_ancestor_of(node))
+	var counts: Dictionary = _city.get_statistics()["entrances"]
+	check_equal(counts.values().reduce(func(sum: int, count: int) -> int: return sum + count, 0), doors.size(), "the model has the doors that stand there")
+	var last: PCGEntrance = doors.back()
+	if is_instance_valid(moved[0]): # it may have stood on the lot that was deleted last
+		check(_city.get_building(moved[0].building_id)["position"].distance_to(moved[0].global_position) < 0.01, "the moved one where it is")
+	for door: PCGEntrance in doors:
+		check(is_finite(_city.get_distance(door.building_id, last.building_id)), "all are reached")

@@ -2,6 +2,7 @@ extends "res://tests/godot/suite.gd"
 ## Ways of the city compared with those of the engine's own navigation server, on the same polygons.
 
 const CityForTests := preload("res://tests/godot/city_for_tests.gd")
+const DemoCity := preload("res://demo/demo_city.gd")
 const PAIRS := 1000
 
 
@@ -63,3 +64,92 @@ func test_a_thousand_ways_are_as_long_as_those_of_the_engine() -> void:
 	check(ways > PAIRS * 9 / 10, "the server finds ways: %d" % ways)
 	check(worst <= 1.01, "none is more than 1 %% longer: the worst %s times as long" % worst)
 	check(ours <= theirs and ours > theirs * 0.95, "all ways together are a little shorter: %s and %s m" % [ours, theirs])
+
+
+func test_the_nearest_building_is_the_nearest_to_walk_to() -> void:
+	var city: PCGCity = CityForTests.make_city(60)
+	add_child(city)
+	check(city.generate_now(), "it generates: %s" % [city.get_diagnostics()])
+	var by_type: Dictionary[String, Array] = {}
+	for building: int in city.get_building_count():
+		by_type.get_or_add(city.get_building(building)["type"], []).append(building)
+	check(by_type.size() >= 3, "several types: %s" % [by_type.keys()])
+	for type: String in by_type:
+		for building: int in city.get_building_count():
+			var best: float = by_type[type].map(func(other: int) -> float: return city.get_distance(building, other)).min()
+			var nearest: int = city.get_nearest_building(type, building)
+			check(city.get_distance(building, nearest) <= best * 1.01 + 0.02, "%s for %d: %s m, not %s m" % [type, building, city.get_distance(building, nearest), best])
+	check_equal(city.get_nearest_building("lighthouse", 0), -1, "there is none of that type")
+	expect_message("buildings are numbered")
+	check_equal(city.get_nearest_building("house", -1), -1, "no such building")
+
+
+# Edges in which more than two polygons meet on the map's cells: of these the engine complains.
+func _count_crowded_edges(mesh: NavigationMesh) -> int:
+	var polygons: Dictionary[Array, int] = {}
+	var vertices: PackedVector3Array = mesh.get_vertices()
+	for polygon: int in mesh.get_polygon_count():
+		var corners: PackedInt32Array = mesh.get_polygon(polygon)
+		for i: int in corners.size():
+			var a := Vector3i((vertices[corners[i]] / mesh.cell_size).floor())
+			var b := Vector3i((vertices[corners[(i + 1) % corners.size()]] / mesh.cell_size).floor())
+			var edge: Array = [a, b] if a < b else [b, a]
+			polygons[edge] = polygons.get(edge, 0) + 1
+	return polygons.values().filter(func(count: int) -> bool: return count > 2).size()
+
+
+func test_no_layout_has_edges_in_which_more_than_two_polygons_meet() -> void:
+	for kind: PCGLayout.Kind in [PCGLayout.KIND_GRID, PCGLayout.KIND_RADIAL, PCGLayout.KIND_GROWN]:
+		for cell: float in [0.0, 0.5]:
+			var city: PCGCity = CityForTests.make_city(50)
+			city.layout.kind = kind
+			city.layout.fit_lots(50)
+			city.layout.jitter = 0.15
+			city.cell_size = cell
+			city.seed = 3 + kind
+			add_child(city)
+			city.generate_now()
+			var regions: Array = city.find_children("*", "NavigationRegion3D", true, false)
+			check(regions.size() > 0, "there is ground")
+			for region: NavigationRegion3D in regions:
+				check_equal(_count_crowded_edges(region.navigation_mesh), 0, "%s of layout %d with cells of %s m" % [region.name, kind, cell])
+			city.free()
+			await get_tree().process_frame
+
+
+# On one of its tiles the engine's baker lays four polygons at one edge.
+func test_polygons_that_the_baker_lays_over_others_are_left_out() -> void:
+	var city: PCGCity = DemoCity.make_city(240, 15)
+	city.layout.kind = PCGLayout.KIND_RADIAL
+	city.layout.fit_lots(240)
+	city.layout.jitter = 0.15
+	add_child(city)
+	check(city.generate_now(), "it generates: %s" % [city.get_diagnostics()])
+	for region: NavigationRegion3D in city.find_children("*", "NavigationRegion3D", true, false):
+		check_equal(_count_crowded_edges(region.navigation_mesh), 0, region.name)
+
+
+func test_cells_are_whole_multiples_of_those_of_the_map() -> void:
+	var city: PCGCity = CityForTests.make_city(12)
+	add_child(city)
+	check(city.generate_now(), "it generates: %s" % [city.get_diagnostics()])
+	var fine: int = _count_polygons(city)
+	city.cell_size = 0.5
+	check(city.generate_now(), "with larger cells: %s" % [city.get_diagnostics()])
+	check(_count_polygons(city) != fine, "the ground is baked otherwise: %d polygons, not %d" % [_count_polygons(city), fine])
+	for region: NavigationRegion3D in city.find_children("*", "NavigationRegion3D", true, false):
+		check_equal(region.navigation_mesh.cell_size, NavigationServer3D.map_get_cell_size(city.get_world_3d().navigation_map), "the map takes it")
+	city.cell_size = 0.6
+	city.agent_max_climb = 0.1
+	expect_message("no whole multiple of the navigation map's")
+	check(city.generate_now(), "0.6 m fits no map of 0.25 m, so 0.5 m is taken")
+	check_equal(city.get_diagnostics().size(), 2, "which is told: %s" % [city.get_diagnostics()])
+	check(str(city.get_diagnostics()).contains("people climb no steps"), "and that steps are lower than a cell")
+	expect_message("cell_size is 0.05 m to 1 m")
+	city.cell_size = 3.0
+	check_equal(city.cell_size, 0.6, "refused")
+
+
+func _count_polygons(city: PCGCity) -> int:
+	return city.find_children("*", "NavigationRegion3D", true, false).reduce(
+			func(sum: int, region: NavigationRegion3D) -> int: return sum + region.navigation_mesh.get_polygon_count(), 0)

@@ -231,3 +231,42 @@ func test_what_stands_on_streets_is_saved_with_the_city() -> void:
 	object.free()
 	await _settle()
 	check_equal(city.get_statistics()["objects"], records.keys().filter(func(key: String) -> bool: return key.begins_with("object")).size() - 1, "objects")
+
+
+func test_a_loaded_city_says_what_it_needs_to_be_written_as_a_model() -> void:
+	var city: PCGCity = _grown(6)
+	var types: Array[PCGLotType] = city.lot_types
+	city.lot_types = []
+	_save(city, "user://city_of_tests.scn")
+	city.free()
+	city = await _load("user://city_of_tests.scn")
+	expect_message("Call generate() with its rules first")
+	check_equal(city.save_gltf("user://city_of_tests.glb"), ERR_UNAVAILABLE, "the scene holds no such geometry")
+	check(not FileAccess.file_exists("user://city_of_tests.glb"), "nothing is written")
+	city.lot_types = types
+	check(city.generate_now(), "made anew")
+	check_equal(city.save_gltf("user://city_of_tests.glb"), OK, "it is written")
+	check(FileAccess.get_file_as_bytes("user://city_of_tests.glb").size() > 10000, "with all that stands there")
+	DirAccess.remove_absolute("user://city_of_tests.glb")
+
+
+func test_a_loaded_city_keeps_its_regions_and_batches() -> void:
+	var city: PCGCity = CityForTests.make_city(12)
+	city.asset_folders = ["res://tests/assets"]
+	city.lot_types[0].rules = CityForTests.make_rules(CityForTests.HOUSE.replace("Yard --> X.", "Yard --> split(x) { 1: i(\"crate.obj\") X. }*"))
+	add_child(city)
+	check(city.generate_now(), "it generates: %s" % [city.get_diagnostics()])
+	var batches: Array = _nodes(city, "MultiMeshInstance3D").map(func(node: MultiMeshInstance3D) -> int: return node.multimesh.instance_count)
+	var regions: Array = _nodes(city, "NavigationRegion3D").map(func(node: NavigationRegion3D) -> int: return node.navigation_mesh.get_polygon_count())
+	check(not batches.is_empty() and batches[0] > 3, "there are batches: %s" % [batches])
+	check(not regions.is_empty() and regions[0] > 3, "and regions: %s" % [regions])
+	var paths: Array[String] = ["user://city_of_tests.scn", "user://city_of_tests.tscn"]
+	for path: String in paths:
+		_save(city, path)
+	city.free() # two cities in one place are too much for the map
+	for path: String in paths:
+		await get_tree().physics_frame
+		var again: PCGCity = await _load(path)
+		check_equal(_nodes(again, "MultiMeshInstance3D").map(func(node: MultiMeshInstance3D) -> int: return node.multimesh.instance_count), batches, "batches")
+		check_equal(_nodes(again, "NavigationRegion3D").map(func(node: NavigationRegion3D) -> int: return node.navigation_mesh.get_polygon_count()), regions, "regions")
+		again.free()

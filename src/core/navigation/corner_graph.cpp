@@ -1,13 +1,14 @@
 #include "core/navigation/corner_graph.h"
 
+#include <bit>
 #include <cmath>
+#include <unordered_map>
 #include <utility>
 
-#include <glm/geometric.hpp>
-
 #include "core/base/parallel.h"
+#include "core/base/random.h"
+#include "core/navigation/landmarks.h"
 #include "core/navigation/nav_mesh.h"
-#include "core/navigation/open_list.h"
 
 namespace pcg {
 
@@ -17,64 +18,112 @@ namespace {
 constexpr float detour = 1.0001f;
 constexpr size_t batch = 256; // corners that a thread looks out of at a time
 
+// All looks of a batch together: on the ground of cities they take less than half of it. Once it is used up, only a little is looked at out of each corner.
+constexpr size_t cones_of_batch = batch << 8;
+constexpr size_t cones_of_late_look = 32;
+
+// Looks out of some corners, one after the other, within the bounds above.
+class Lookout {
+public:
+	Lookout(const NavMesh &mesh, const Corners &corners) : _sight(mesh, corners) {}
+
+	std::span<const SeenCorner> look(uint32_t corner) {
+		_sight.limit(_used < cones_of_batch ? Sight::most_cones : cones_of_late_look);
+		const std::span<const SeenCorner> seen = _sight.look(corner);
+		_used += _sight.cone_count();
+		return seen;
+	}
+	const Sight &sight() const { return _sight; }
+
+private:
+	Sight _sight;
+	size_t _used = 0;
+};
+
+bool is_before(const SeenCorner &a, const SeenCorner &b) { return a.corner < b.corner; }
+
+void in_batches(size_t count, const std::function<void(size_t first, size_t end)> &work) {
+	parallel_for((count + batch - 1) / batch, {}, [&](size_t index) { work(index * batch, std::min((index + 1) * batch, count)); });
+}
+
+// Rounding may let one see the other but not be seen. Who looked at a part only is left what it saw: all that see it would be too many.
+void make_mutual(std::vector<std::vector<SeenCorner>> &walks, const std::function<bool(uint32_t corner)> &is_cut_short) {
+	std::vector<std::pair<uint32_t, SeenCorner>> missing;
+	for (uint32_t corner = 0; corner < walks.size(); ++corner) {
+		std::erase_if(walks[corner], [&](const SeenCorner &seen) {
+			const bool is_mutual = std::binary_search(walks[seen.corner].begin(), walks[seen.corner].end(), SeenCorner{ corner, 0.0f }, is_before);
+			if (!is_mutual && !is_cut_short(seen.corner)) {
+				missing.push_back({ seen.corner, { corner, seen.cost } });
+			}
+			return !is_mutual && is_cut_short(seen.corner);
+		});
+	}
+	for (const auto &[corner, seen] : missing) {
+		walks[corner].push_back(seen);
+	}
+}
+
+// Of the walks in `direct`, those that go by way of `middle`, from where `onwards` leads on, become negative: they stay what they cost, for those beyond.
+void leave_out(const SeenCorner &middle, const std::vector<SeenCorner> &onwards, std::vector<float> &direct) {
+	for (const SeenCorner &end : onwards) {
+		const float cost = std::abs(direct[end.corner]);
+		if (middle.cost < cost && end.cost < cost && middle.cost + end.cost <= detour * cost) {
+			direct[end.corner] = -cost;
+		}
+	}
+}
+
 } // namespace
 
-struct CornerGraph::Builder {
-	using Walks = std::vector<std::vector<SeenCorner>>; // by corner
+CornerGraph::Extent::Extent(const Sight &sight) : Extent(sight.extent()) { is_cut_short = sight.is_cut_short(); }
 
+CornerGraph::Extent::Extent(const PlanBox &box) {
+	const auto whole = [](float units) { return int16_t(std::clamp(units, -32768.0f, 32767.0f)); };
+	min_x = whole(std::floor(box.min_x / unit));
+	min_z = whole(std::floor(box.min_z / unit));
+	max_x = whole(std::ceil(box.max_x / unit));
+	max_z = whole(std::ceil(box.max_z / unit));
+}
+
+bool CornerGraph::Extent::is_near(const PlanBox &box) const {
+	const Extent other(box);
+	return min_x <= other.max_x && max_x >= other.min_x && min_z <= other.max_z && max_z >= other.min_z;
+}
+
+struct CornerGraph::Builder {
 	const NavMesh &mesh;
 	CornerGraph &graph;
 	Walks walks;
 
 	void run() {
 		look_out();
-		const Walks thinned = thin();
-		graph._first.assign(1, 0);
-		for (const std::vector<SeenCorner> &list : thinned) {
-			graph._walks.insert(graph._walks.end(), list.begin(), list.end());
-			graph._first.push_back(uint32_t(graph._walks.size()));
-		}
-		measure_far();
+		graph.set_walks(thin());
+		graph.measure_far(mesh, [this](size_t, uint32_t landmark) { return walk_costs(graph, landmark); });
 	}
 
 	void look_out() {
 		const Corners &corners = graph._corners;
 		walks.resize(corners.count());
-		parallel_for((corners.count() + batch - 1) / batch, {}, [&](size_t index) {
-			Sight sight(mesh, corners);
-			for (size_t corner = index * batch; corner < std::min((index + 1) * batch, corners.count()); ++corner) {
-				const std::span<const SeenCorner> seen = sight.look(uint32_t(corner));
+		graph._extents.resize(corners.count());
+		in_batches(corners.count(), [&](size_t first, size_t end) {
+			Lookout lookout(mesh, corners);
+			for (size_t corner = first; corner < end; ++corner) {
+				const std::span<const SeenCorner> seen = lookout.look(uint32_t(corner));
+				graph._extents[corner] = Extent(lookout.sight());
 				walks[corner].assign(seen.begin(), seen.end());
 				std::sort(walks[corner].begin(), walks[corner].end(), is_before);
 			}
 		});
-		make_mutual();
-	}
-
-	static bool is_before(const SeenCorner &a, const SeenCorner &b) { return a.corner < b.corner; }
-
-	// Rounding may let one see the other but not be seen.
-	void make_mutual() {
-		std::vector<std::pair<uint32_t, SeenCorner>> missing;
-		for (uint32_t corner = 0; corner < walks.size(); ++corner) {
-			for (const SeenCorner &seen : walks[corner]) {
-				if (!std::binary_search(walks[seen.corner].begin(), walks[seen.corner].end(), SeenCorner{ corner, 0.0f }, is_before)) {
-					missing.push_back({ seen.corner, { corner, seen.cost } });
-				}
-			}
-		}
-		for (const auto &[corner, seen] : missing) {
-			walks[corner].push_back(seen);
-		}
+		make_mutual(walks, [this](uint32_t corner) { return graph._extents[corner].is_cut_short; });
 	}
 
 	// Along straight streets everybody sees everybody; the walks to the next corners are enough. What is left out is made of shorter walks, which
 	// are there or made of still shorter ones.
 	Walks thin() const {
 		Walks kept(walks.size());
-		parallel_for((walks.size() + batch - 1) / batch, {}, [&](size_t index) {
+		in_batches(walks.size(), [&](size_t first, size_t end) {
 			std::vector<float> direct(walks.size(), 0.0f);
-			for (size_t corner = index * batch; corner < std::min((index + 1) * batch, walks.size()); ++corner) {
+			for (size_t corner = first; corner < end; ++corner) {
 				thin(walks[corner], direct, kept[corner]);
 			}
 		});
@@ -87,12 +136,7 @@ struct CornerGraph::Builder {
 			direct[seen.corner] = seen.cost;
 		}
 		for (const SeenCorner &middle : from) {
-			for (const SeenCorner &end : walks[middle.corner]) {
-				const float cost = std::abs(direct[end.corner]);
-				if (middle.cost < cost && end.cost < cost && middle.cost + end.cost <= detour * cost) {
-					direct[end.corner] = -cost; // stays what it costs, for those beyond
-				}
-			}
+			leave_out(middle, walks[middle.corner], direct);
 		}
 		for (const SeenCorner &seen : from) {
 			if (direct[seen.corner] > 0.0f) {
@@ -101,68 +145,181 @@ struct CornerGraph::Builder {
 			direct[seen.corner] = 0.0f;
 		}
 	}
+};
 
-	// As far from each other as the crow flies as can be, all on the ground on which most corners are.
-	std::vector<uint32_t> choose_landmarks() const {
-		const Corners &corners = graph._corners;
-		std::vector<uint32_t> count(mesh.component_count());
-		const auto ground_of = [&](uint32_t corner) { return mesh.component(corners.polygons(corner)[0]); };
-		for (uint32_t corner = 0; corner < corners.count(); ++corner) {
-			++count[ground_of(corner)];
+// After a change of the ground. Corners are fresh if what they saw has changed, or if they are new. The walks of all others are as they were, also
+// those to fresh ones: only between two fresh ones has to be looked anew.
+struct CornerGraph::Updater {
+	const NavMesh &mesh;
+	const CornerGraph &before;
+	std::span<const PlanBox> changed;
+	CornerGraph &graph;
+	std::vector<uint32_t> new_of, old_of; // corners; no_corner where there is none
+	std::vector<uint32_t> fresh;
+	std::vector<bool> is_fresh; // of new ones
+	Walks seen; // by fresh ones of each other
+	Walks walks;
+
+	// False if corners are gone that should not: the changes were not told right.
+	bool run() {
+		match();
+		if (!inherit()) {
+			return false;
 		}
-		const auto ground = uint32_t(std::max_element(count.begin(), count.end()) - count.begin());
-		std::vector<float> nearest(corners.count());
-		for (uint32_t corner = 0; corner < corners.count(); ++corner) {
-			nearest[corner] = ground_of(corner) == ground ? glm::length(corners.position(corner)) : -1.0f;
-		}
-		std::vector<uint32_t> landmarks;
-		while (landmarks.size() < landmark_count) {
-			landmarks.push_back(uint32_t(std::max_element(nearest.begin(), nearest.end()) - nearest.begin()));
-			for (uint32_t corner = 0; corner < corners.count(); ++corner) {
-				nearest[corner] = std::min(nearest[corner], glm::distance(corners.position(corner), corners.position(landmarks.back())));
-			}
-		}
-		return landmarks;
+		look_out();
+		thin();
+		graph.set_walks(walks);
+		graph.measure_far(mesh, [this](size_t index, uint32_t landmark) { return measure(index, landmark); });
+		return true;
 	}
 
-	void measure_far() {
-		graph._far.resize(walks.size());
-		if (walks.empty()) {
-			return;
+	// Corners in the same place, to the bit.
+	void match() {
+		const auto key_of = [](glm::vec3 p) { return mix64(uint64_t(std::bit_cast<uint32_t>(p.x)) << 32 | std::bit_cast<uint32_t>(p.z)) ^ std::bit_cast<uint32_t>(p.y); };
+		std::unordered_map<uint64_t, uint32_t> place;
+		place.reserve(graph._corners.count());
+		for (uint32_t corner = 0; corner < graph._corners.count(); ++corner) {
+			place[key_of(graph._corners.position(corner))] = corner;
 		}
-		const std::vector<uint32_t> landmarks = choose_landmarks();
-		parallel_for(landmark_count, {}, [&](size_t k) {
-			const std::vector<float> costs = measure(landmarks[k]);
-			for (size_t corner = 0; corner < costs.size(); ++corner) {
-				graph._far[corner][k] = std::isfinite(costs[corner]) ? costs[corner] : 0.0f; // where the landmark is out of reach it tells nothing
+		new_of.assign(before._corners.count(), no_corner);
+		old_of.assign(graph._corners.count(), no_corner);
+		is_fresh.assign(graph._corners.count(), true);
+		for (uint32_t corner = 0; corner < before._corners.count(); ++corner) {
+			const auto found = place.find(key_of(before._corners.position(corner)));
+			if (found != place.end()) {
+				new_of[corner] = found->second;
+				old_of[found->second] = corner;
+				is_fresh[found->second] = std::ranges::any_of(changed, [&](const PlanBox &box) { return before._extents[corner].is_near(box); });
 			}
-		});
+		}
 	}
 
-	// Costs from one corner to all.
-	std::vector<float> measure(uint32_t from) const {
-		std::vector<float> costs(walks.size(), INFINITY);
-		OpenList open;
-		costs[from] = 0.0f;
-		open.push({ 0.0f, from });
-		while (!open.is_empty()) {
-			const OpenList::Entry entry = open.pop();
-			if (entry.estimate > costs[entry.node]) {
-				continue; // a better way there was found in the meantime
+	bool inherit() {
+		walks.resize(graph._corners.count());
+		graph._extents.resize(walks.size());
+		for (uint32_t corner = 0; corner < walks.size(); ++corner) {
+			if (is_fresh[corner]) {
+				fresh.push_back(corner);
+				continue;
 			}
-			for (const SeenCorner &next : graph.walks(entry.node)) {
-				const float cost = entry.estimate + next.cost;
-				if (cost < costs[next.corner]) {
-					costs[next.corner] = cost;
-					open.push({ cost, next.corner });
+			graph._extents[corner] = before._extents[old_of[corner]];
+			for (const SeenCorner &walk : before.walks(old_of[corner])) {
+				const uint32_t there = new_of[walk.corner];
+				if (there == no_corner) {
+					return false;
+				}
+				walks[corner].push_back({ there, walk.cost });
+				if (is_fresh[there]) {
+					walks[there].push_back({ corner, walk.cost });
 				}
 			}
 		}
+		return true;
+	}
+
+	void look_out() {
+		seen.resize(walks.size());
+		in_batches(fresh.size(), [&](size_t first, size_t end) {
+			Lookout lookout(mesh, graph._corners);
+			for (size_t i = first; i < end; ++i) {
+				for (const SeenCorner &other : lookout.look(fresh[i])) {
+					if (is_fresh[other.corner]) {
+						seen[fresh[i]].push_back(other);
+					}
+				}
+				graph._extents[fresh[i]] = Extent(lookout.sight());
+				std::sort(seen[fresh[i]].begin(), seen[fresh[i]].end(), is_before);
+			}
+		});
+		make_mutual(seen, [this](uint32_t corner) { return graph._extents[corner].is_cut_short; });
+	}
+
+	void thin() {
+		Walks kept(fresh.size());
+		in_batches(fresh.size(), [&](size_t first, size_t end) {
+			std::vector<float> direct(walks.size(), 0.0f);
+			for (size_t i = first; i < end; ++i) {
+				thin(fresh[i], direct, kept[i]);
+			}
+		});
+		for (size_t i = 0; i < fresh.size(); ++i) {
+			std::vector<SeenCorner> &all = walks[fresh[i]];
+			all.insert(all.end(), kept[i].begin(), kept[i].end());
+			std::sort(all.begin(), all.end(), is_before);
+		}
+	}
+
+	void thin(uint32_t corner, std::vector<float> &direct, std::vector<SeenCorner> &kept) const {
+		for (const SeenCorner &other : seen[corner]) {
+			direct[other.corner] = other.cost;
+		}
+		for (const SeenCorner &middle : seen[corner]) {
+			leave_out(middle, seen[middle.corner], direct);
+		}
+		for (const SeenCorner &middle : walks[corner]) {
+			leave_out(middle, walks[middle.corner], direct);
+		}
+		for (const SeenCorner &other : seen[corner]) {
+			if (direct[other.corner] > 0.0f) {
+				kept.push_back(other);
+			}
+			direct[other.corner] = 0.0f;
+		}
+	}
+
+	std::vector<float> measure(size_t index, uint32_t landmark) const {
+		if (graph._landmarks[index] != before._landmarks[index] || old_of[landmark] == no_corner) {
+			return walk_costs(graph, landmark);
+		}
+		std::vector<float> costs(walks.size(), INFINITY);
+		for (uint32_t corner = 0; corner < costs.size(); ++corner) {
+			const float cost = old_of[corner] != no_corner ? before._far[old_of[corner]][index] : 0.0f;
+			costs[corner] = cost > 0.0f ? cost : INFINITY;
+		}
+		costs[landmark] = 0.0f;
+		repair_walk_costs(graph, landmark, fresh, costs);
 		return costs;
 	}
 };
 
 CornerGraph::CornerGraph(const NavMesh &mesh, float margin) : _corners(mesh, margin) { Builder{ mesh, *this, {} }.run(); }
+
+CornerGraph::CornerGraph(const NavMesh &mesh, float margin, const CornerGraph &before, std::span<const PlanBox> changed) : _corners(mesh, margin) {
+	if (!Updater{ mesh, before, changed, *this, {}, {}, {}, {}, {}, {} }.run()) {
+		Builder{ mesh, *this, {} }.run();
+	}
+}
+
+size_t CornerGraph::cut_short_count() const {
+	return size_t(std::ranges::count_if(_extents, [](const Extent &extent) { return extent.is_cut_short; }));
+}
+
+void CornerGraph::set_walks(const Walks &walks) {
+	_first.assign(1, 0);
+	_walks.clear();
+	for (const std::vector<SeenCorner> &list : walks) {
+		_walks.insert(_walks.end(), list.begin(), list.end());
+		_first.push_back(uint32_t(_walks.size()));
+	}
+	_walks.shrink_to_fit();
+}
+
+void CornerGraph::measure_far(const NavMesh &mesh, const std::function<std::vector<float>(size_t, uint32_t)> &measure) {
+	_far.resize(_corners.count());
+	if (_far.empty()) {
+		return;
+	}
+	const std::vector<uint32_t> landmarks = choose_landmarks(mesh, _corners, landmark_count);
+	for (size_t k = 0; k < landmark_count; ++k) {
+		_landmarks[k] = _corners.position(landmarks[k]);
+	}
+	parallel_for(landmark_count, {}, [&](size_t k) {
+		const std::vector<float> costs = measure(k, landmarks[k]);
+		for (size_t corner = 0; corner < costs.size(); ++corner) {
+			_far[corner][k] = std::isfinite(costs[corner]) ? costs[corner] : 0.0f; // where the landmark is out of reach it tells nothing
+		}
+	});
+}
 
 CornerGraph::Goal CornerGraph::goal(std::span<const SeenCorner> seen) const {
 	Goal goal;

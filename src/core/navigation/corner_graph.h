@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 #include "core/navigation/corners.h"
+#include "core/navigation/plan.h"
 #include "core/navigation/sight.h"
 
 // The straight walks between corners that shortest walks are made of, and estimates of how far it still is, from a few far-off corners to which all
@@ -22,8 +26,13 @@ public:
 
 	CornerGraph() = default;
 	CornerGraph(const NavMesh &mesh, float margin); // as in NavMeshOptions
+	// The same out of the graph from before polygons in some places came, went or changed: corners that saw none of them keep their walks. Where others
+	// do not, a walk may stand for itself that is made of shorter ones otherwise.
+	CornerGraph(const NavMesh &mesh, float margin, const CornerGraph &before, std::span<const PlanBox> changed);
 
 	const Corners &corners() const { return _corners; }
+	// How many corners saw too much to look at all of it (Sight::is_cut_short()): there walks may be longer than they need be. 0 for the ground of cities.
+	size_t cut_short_count() const;
 	// Both directions are there. Where a third corner lies all but on the line, the walk to it and the one from there stand for the long one.
 	std::span<const SeenCorner> walks(uint32_t corner) const { return { _walks.data() + _first[corner], _first[corner + 1] - _first[corner] }; }
 	// Where walks end that come by one of some corners.
@@ -45,11 +54,28 @@ public:
 
 private:
 	struct Builder;
+	struct Updater;
+	// The box that a corner's walks depend on, in whole units outwards: coarse, for there are many corners.
+	struct Extent {
+		static constexpr float unit = 2.0f; // metres; ground lies within 65 km, or what is seen counts as anywhere
+		int16_t min_x, min_z, max_x, max_z;
+		bool is_cut_short = false;
+
+		explicit Extent(const PlanBox &box = {});
+		explicit Extent(const Sight &sight); // after a look
+		bool is_near(const PlanBox &box) const;
+	};
+	using Walks = std::vector<std::vector<SeenCorner>>; // by corner
+
+	void set_walks(const Walks &walks);
+	void measure_far(const NavMesh &mesh, const std::function<std::vector<float>(size_t index, uint32_t landmark)> &measure);
 
 	Corners _corners;
 	std::vector<uint32_t> _first; // one more than corners
 	std::vector<SeenCorner> _walks;
+	std::vector<Extent> _extents; // by corner
 	std::vector<Far> _far; // by corner
+	std::array<glm::vec3, landmark_count> _landmarks{};
 };
 
 } // namespace pcg

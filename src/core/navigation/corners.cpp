@@ -193,6 +193,8 @@ Corners::Corners(const NavMesh &mesh, float margin) {
 		}
 		_polygons.insert(_polygons.end(), found.corner_polygons.begin(), found.corner_polygons.end());
 	}
+	_corners.shrink_to_fit();
+	_polygons.shrink_to_fit();
 }
 
 // The walls have to lie on one side of the way.

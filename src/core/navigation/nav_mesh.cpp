@@ -61,6 +61,18 @@ uint32_t find_root(std::vector<uint32_t> &parents, uint32_t item) {
 NavMesh::NavMesh() : _corner_graph(std::make_shared<CornerGraph>()) {}
 
 NavMesh NavMesh::build(std::span<const NavRegion> regions, const NavMeshOptions &options) {
+	NavMesh mesh = join(regions, options);
+	mesh._corner_graph = std::make_shared<CornerGraph>(mesh, options.margin);
+	return mesh;
+}
+
+NavMesh NavMesh::rebuild(const NavMesh &before, std::span<const PlanBox> changed, std::span<const NavRegion> regions, const NavMeshOptions &options) {
+	NavMesh mesh = join(regions, options);
+	mesh._corner_graph = std::make_shared<CornerGraph>(mesh, options.margin, *before._corner_graph, changed);
+	return mesh;
+}
+
+NavMesh NavMesh::join(std::span<const NavRegion> regions, const NavMeshOptions &options) {
 	NavMesh mesh;
 	mesh._first_corner.push_back(0);
 	std::vector<uint32_t> corner_names;
@@ -88,7 +100,8 @@ NavMesh NavMesh::build(std::span<const NavRegion> regions, const NavMeshOptions 
 	mesh.sort_links();
 	mesh.find_components();
 	mesh.fill_grid();
-	mesh._corner_graph = std::make_shared<CornerGraph>(mesh, options.margin);
+	mesh._corners.shrink_to_fit(); // it stays for long
+	mesh._links.shrink_to_fit();
 	return mesh;
 }
 

@@ -7,6 +7,8 @@
 
 #include <glm/vec3.hpp>
 
+#include "core/navigation/plan.h"
+
 // Where people can walk: convex polygons and the gaps between them. Built once from regions, then read by any number of threads.
 // Metres, y up.
 namespace pcg {
@@ -50,6 +52,10 @@ public:
 	NavMesh(); // without any ground
 	// Polygons with fewer than three corners, without area, with indices out of range or coordinates that are not finite are left out.
 	static NavMesh build(std::span<const NavRegion> regions, const NavMeshOptions &options = {});
+	// The same where `before` was built of regions of which some are others now, with the same options. `changed`: boxes around the old and the new ones
+	// of these. Walks that lead past them are taken over.
+	static NavMesh rebuild(const NavMesh &before, std::span<const PlanBox> changed, std::span<const NavRegion> regions,
+			const NavMeshOptions &options = {});
 
 	size_t polygon_count() const { return _first_corner.empty() ? 0 : _first_corner.size() - 1; }
 	// Counter-clockwise seen from above.
@@ -73,6 +79,7 @@ public:
 	glm::vec3 nearest_in(uint32_t polygon, glm::vec3 point) const;
 
 private:
+	static NavMesh join(std::span<const NavRegion> regions, const NavMeshOptions &options); // all but the graph
 	void add_polygon(const NavRegion &region, size_t index, std::vector<uint32_t> &corner_names);
 	void sort_links();
 	void find_components();

@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/parallel.h"
+#include "core/navigation/corner_graph.h"
 #include "core/semantics/city_query.h"
 
 namespace pcg {
@@ -16,8 +18,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr float sample_step = 0.2f; // metres
 constexpr float slack = 0.3f; // metres between a way and the ground, which is simplified anew where it is baked anew
 constexpr float height_slack = 0.75f; // metres
-// No BuildingId, and not Invalid either, which is an answer.
-constexpr uint32_t not_asked = 0xFFFFFFFE;
+constexpr size_t batch = 256; // buildings that a thread asks for at a time
 
 // Orders the ends of a walk, so that both directions are searched the same way.
 bool is_before(glm::vec3 a, glm::vec3 b) { return a.x != b.x ? a.x < b.x : (a.z != b.z ? a.z < b.z : a.y < b.y); }
@@ -62,11 +63,7 @@ void NavMeshPaths::prepare() {
 	_distances = std::make_unique<DistanceCache>(_city.buildings().size());
 	_nearest.clear();
 	for (size_t type = 0; type < _city.types.size(); ++type) {
-		const size_t count = _city.buildings_of_type(TypeId(type)).empty() ? 0 : _city.buildings().size();
-		_nearest.emplace_back(count);
-		for (std::atomic<uint32_t> &answer : _nearest.back()) {
-			answer.store(not_asked, std::memory_order_relaxed);
-		}
+		_nearest.push_back(std::make_unique<Table>());
 	}
 }
 
@@ -112,47 +109,51 @@ double NavMeshPaths::distance(BuildingId from, BuildingId to) const {
 }
 
 BuildingId NavMeshPaths::nearest_building(TypeId type, BuildingId from) const {
-	if (index_of(type) >= _nearest.size() || index_of(from) >= _nearest[index_of(type)].size()) {
-		return index_of(from) < _city.buildings().size() ? search_nearest(type, from) : BuildingId::Invalid;
+	if (index_of(type) >= _nearest.size()) {
+		return BuildingId::Invalid;
 	}
-	std::atomic<uint32_t> &answer = _nearest[index_of(type)][index_of(from)];
-	if (answer.load(std::memory_order_relaxed) == not_asked) {
-		answer.store(index_of(search_nearest(type, from)), std::memory_order_relaxed);
-	}
-	return BuildingId(answer.load(std::memory_order_relaxed));
+	Table &table = *_nearest[index_of(type)];
+	std::call_once(table.is_made, [&] { table.nearest = find_nearest(type); });
+	return index_of(from) < table.nearest.size() ? table.nearest[index_of(from)] : BuildingId::Invalid;
 }
 
-float NavMeshPaths::crow_distance(BuildingId from, BuildingId to) const {
-	float best = std::numeric_limits<float>::infinity();
-	for (EntranceId a : _city.building(from).entrances) {
-		for (EntranceId b : _city.building(to).entrances) {
-			best = std::fmin(best, glm::distance(_city.entrance(a).position, _city.entrance(b).position));
+// Doors are told apart by the building that they lead into.
+std::vector<BuildingId> NavMeshPaths::find_nearest(TypeId type) const {
+	std::vector<Door> doors;
+	for (size_t i = 0; i < _stops.size(); ++i) {
+		const Entrance &entrance = _city.entrances()[i];
+		if (entrance.type == type && !entrance.is_removed) {
+			doors.push_back({ _stops[i].point, glm::distance(_stops[i].position, _stops[i].point.position), index_of(entrance.building) });
 		}
 	}
-	return from == to ? 0.0f : best;
+	std::vector<BuildingId> nearest(_city.buildings().size(), BuildingId::Invalid);
+	if (doors.empty()) {
+		return nearest;
+	}
+	const NearestDoors field(_mesh, doors);
+	parallel_for((nearest.size() + batch - 1) / batch, {}, [&](size_t index) {
+		Sight sight(_mesh, _mesh.corner_graph().corners());
+		for (size_t i = index * batch; i < std::min((index + 1) * batch, nearest.size()); ++i) {
+			nearest[i] = find_nearest(field, sight, BuildingId(i));
+		}
+	});
+	for (const Door &door : doors) {
+		nearest[door.id] = BuildingId(door.id); // nothing is nearer than what is here
+	}
+	return nearest;
 }
 
-BuildingId NavMeshPaths::search_nearest(TypeId type, BuildingId from) const {
-	std::vector<std::pair<float, BuildingId>> candidates;
-	for (BuildingId candidate : _city.buildings_of_type(type)) {
-		candidates.emplace_back(crow_distance(from, candidate), candidate);
-	}
-	// Few are looked at, so a heap is cheaper than sorting all.
-	std::make_heap(candidates.begin(), candidates.end(), std::greater<>());
-	BuildingId best = BuildingId::Invalid;
-	double best_metres = infinity;
-	// A centimetre of slack, for distances are rounded.
-	while (!candidates.empty() && double(candidates.front().first) <= best_metres + 0.01) {
-		const BuildingId candidate = candidates.front().second;
-		std::pop_heap(candidates.begin(), candidates.end(), std::greater<>());
-		candidates.pop_back();
-		const double metres = distance(from, candidate);
-		if (metres < best_metres || (metres == best_metres && metres < infinity && candidate < best)) {
-			best_metres = metres;
-			best = candidate;
+BuildingId NavMeshPaths::find_nearest(const NearestDoors &doors, Sight &sight, BuildingId from) const {
+	NearDoor best;
+	for (const EntranceId entrance : _city.building(from).entrances) {
+		if (index_of(entrance) < _stops.size()) {
+			const Stop &stop = _stops[index_of(entrance)];
+			NearDoor found = doors.ask(sight, stop.point);
+			found.cost += glm::distance(stop.position, stop.point.position);
+			best = std::min(best, found);
 		}
 	}
-	return best;
+	return best.door != no_door ? BuildingId(best.door) : BuildingId::Invalid;
 }
 
 void NavMeshPaths::find_path(glm::vec3 from, glm::vec3 to, std::vector<glm::vec3> &path) const {

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <atomic>
 #include <memory>
 #include <mutex>
 #include <vector>
 
 #include "core/navigation/distance_cache.h"
+#include "core/navigation/nearest_doors.h"
 #include "core/navigation/path_finder.h"
 #include "core/ports/path_provider.h"
 #include "core/semantics/city_model.h"
@@ -27,7 +27,9 @@ public:
 
 	// In whole centimetres, and remembered. Every pair of buildings gives the length of the path between the two entrances for which it is shortest.
 	double distance(BuildingId from, BuildingId to) const override;
-	// Exact by distance(); asks it only for candidates that could still be nearer, and remembers the answer.
+	// The first question for a type answers it for all buildings, by one search from all its doors; then it is a look into a table. The walk to the answer is
+	// at most 1 % longer than to any other. Where ground differs in cost, dearer ground counts as so much farther. Buildings that came after
+	// prepare() have none.
 	BuildingId nearest_building(TypeId type, BuildingId from) const override;
 	// The same points in both directions.
 	void find_path(glm::vec3 from, glm::vec3 to, std::vector<glm::vec3> &points) const override;
@@ -44,13 +46,17 @@ private:
 		NavPoint point; // its nearest point on the mesh
 	};
 	class Borrowed; // a finder out of the pool
+	struct Table {
+		std::once_flag is_made;
+		std::vector<BuildingId> nearest; // by building
+	};
 
 	Stop stop_at(glm::vec3 position) const;
 	// Metres including the steps to and from the mesh; infinity if there is no way or if it is at least `limit` as the crow flies.
 	double measure(PathFinder &finder, const Stop &from, const Stop &to, double limit) const;
 	double measure_buildings(BuildingId from, BuildingId to) const;
-	BuildingId search_nearest(TypeId type, BuildingId from) const;
-	float crow_distance(BuildingId from, BuildingId to) const;
+	std::vector<BuildingId> find_nearest(TypeId type) const;
+	BuildingId find_nearest(const NearestDoors &doors, Sight &sight, BuildingId from) const;
 	double measure_zone(PathFinder &finder, const Stop &from, const Zone &zone, double limit, glm::vec3 &entry) const;
 	bool is_new_since(uint64_t revision, glm::vec3 point) const;
 	bool is_on_ground(glm::vec3 point) const;
@@ -66,8 +72,7 @@ private:
 	uint64_t _ground_revision = 0;
 	std::vector<Stop> _stops; // by EntranceId
 	mutable std::unique_ptr<DistanceCache> _distances;
-	// By type, then building: the answer, or `not_asked`.
-	mutable std::vector<std::vector<std::atomic<uint32_t>>> _nearest;
+	mutable std::vector<std::unique_ptr<Table>> _nearest; // by type
 	mutable std::mutex _pool_mutex;
 	mutable std::vector<std::unique_ptr<PathFinder>> _pool;
 };

@@ -30,13 +30,36 @@ bool PathFinder::find(const NavPoint &from, const NavPoint &to) {
 	}
 	const uint32_t last = search(from, to);
 	if (std::isinf(_goal_cost)) {
-		return false;
+		pass_gaps(from, to);
+	} else {
+		collect(from.position, last, to.position);
 	}
-	collect(from.position, last, to.position);
 	for (size_t i = 1; i < _points.size(); ++i) {
 		_length += double(glm::distance(_points[i - 1], _points[i]));
 	}
 	return true;
+}
+
+// From polygon to polygon through the middles of the fewest gaps: not the shortest walk, but one that needs no sight.
+void PathFinder::pass_gaps(const NavPoint &from, const NavPoint &to) {
+	constexpr uint32_t no_link = no_corner;
+	std::vector<uint32_t> came_by(_mesh->polygon_count(), no_link);
+	std::vector<uint32_t> polygons = { to.polygon }; // from the goal, so that links are met in the walk's order
+	for (size_t i = 0; i < polygons.size() && polygons[i] != from.polygon; ++i) {
+		for (uint32_t link = _mesh->first_link(polygons[i]); link < _mesh->first_link(polygons[i] + 1); ++link) {
+			const uint32_t next = _mesh->links()[link].target;
+			if (came_by[next] == no_link && next != to.polygon) {
+				came_by[next] = link;
+				polygons.push_back(next);
+			}
+		}
+	}
+	add_point(from.position);
+	for (uint32_t polygon = from.polygon; polygon != to.polygon; polygon = _mesh->links()[came_by[polygon]].source) {
+		const NavLink &gap = _mesh->links()[came_by[polygon]];
+		add_point((gap.left + gap.right) / 2.0f);
+	}
+	add_point(to.position);
 }
 
 void PathFinder::start() {

@@ -17,7 +17,8 @@ class PathFinder {
 public:
 	explicit PathFinder(const NavMesh &mesh) : _mesh(&mesh), _graph(&mesh.corner_graph()), _sight(mesh, _graph->corners()) {}
 
-	// Both points must lie on the mesh. False if there is no way, which takes no search.
+	// Both points must lie on the mesh. False if there is no way, which takes no search. Where polygons are piled on one another so that sight ends before
+	// everything was seen (Sight::is_cut_short()) the walk may be longer than it need be, but there is one wherever polygons are connected.
 	bool find(const NavPoint &from, const NavPoint &to);
 	// Of the last find() that was true: the corners of the walk, first = from, last = to, without a point twice in a row.
 	std::span<const glm::vec3> points() const { return _points; }
@@ -34,6 +35,7 @@ private:
 		bool is_closed = false; // walks go on from here
 	};
 
+	void pass_gaps(const NavPoint &from, const NavPoint &to);
 	void start();
 	uint32_t search(const NavPoint &from, const NavPoint &to);
 	void reach(uint32_t corner, float cost, uint32_t previous, glm::vec3 goal);

@@ -20,4 +20,20 @@ inline float distance_to_segment(glm::vec3 point, glm::vec3 a, glm::vec3 b) {
 	return std::sqrt(ex * ex + ez * ez);
 }
 
+// A rectangle of the plan, empty at first.
+struct PlanBox {
+	float min_x = INFINITY, min_z = INFINITY, max_x = -INFINITY, max_z = -INFINITY;
+
+	void add(glm::vec3 point) {
+		min_x = std::min(min_x, point.x);
+		min_z = std::min(min_z, point.z);
+		max_x = std::max(max_x, point.x);
+		max_z = std::max(max_z, point.z);
+	}
+	// Whether they are at most `margin` metres apart along both axes.
+	bool is_near(const PlanBox &other, float margin) const {
+		return min_x <= other.max_x + margin && max_x >= other.min_x - margin && min_z <= other.max_z + margin && max_z >= other.min_z - margin;
+	}
+};
+
 } // namespace pcg

@@ -57,6 +57,19 @@ float Sight::straight(const NavPoint &from, const NavPoint &to) {
 	return _aim_cost;
 }
 
+PlanBox Sight::extent() const {
+	PlanBox box;
+	box.add(_root);
+	for (const Cone &cone : _cones) {
+		box.add(_mesh->links()[cone.link].left);
+		box.add(_mesh->links()[cone.link].right);
+	}
+	for (const SeenCorner &seen : _seen) {
+		box.add(_corners->position(seen.corner));
+	}
+	return box;
+}
+
 void Sight::spread() {
 	for (const uint32_t polygon : _starts) {
 		_entries[polygon] = { _look, no_cone };
@@ -65,7 +78,7 @@ void Sight::spread() {
 		_ground = _mesh->cost(_starts[i]);
 		const size_t first = _cones.size();
 		look_around(_starts[i]);
-		for (size_t cone = first; cone < _cones.size(); ++cone) {
+		for (size_t cone = first; cone < _cones.size() && !is_cut_short(); ++cone) {
 			look_through(uint32_t(cone));
 		}
 	}
@@ -100,6 +113,7 @@ float Sight::slack_of(Ray ray) { return graze * (std::abs(ray.x) + std::abs(ray.
 
 void Sight::look_through(uint32_t index) {
 	const Cone cone = _cones[index];
+	const uint32_t came_from = _mesh->links()[cone.link].source;
 	if (_has_aim) { // no other cones are entered than those with the aim in them
 		aim_into(cone.polygon);
 	}
@@ -107,7 +121,7 @@ void Sight::look_through(uint32_t index) {
 		const NavLink &link = _mesh->links()[i];
 		const Ray left = ray_to(link.left), right = ray_to(link.right);
 		const float left_slack = slack_of(left), right_slack = slack_of(right);
-		if (link.target == cone.came_from || turn(cone.left, right) > right_slack || turn(cone.right, left) < -left_slack) {
+		if (link.target == came_from || turn(cone.left, right) > right_slack || turn(cone.right, left) < -left_slack) {
 			continue;
 		}
 		const float beyond_left = turn(cone.left, left), beyond_right = -turn(cone.right, right);
@@ -132,7 +146,7 @@ void Sight::enter(uint32_t link, Ray left, Ray right) {
 	Entry &entry = _entries[polygon];
 	const uint32_t earlier = entry.look == _look ? entry.last : no_cone;
 	entry = { _look, uint32_t(_cones.size()) };
-	_cones.push_back({ polygon, _mesh->links()[link].source, earlier, left, right });
+	_cones.push_back({ polygon, link, earlier, left, right });
 }
 
 // Whether nothing between the two directions is looked for. Directions in which no walk bends around the wall at the root lie beside each other.

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "core/navigation/corners.h"
 #include "core/navigation/nav_mesh.h"
+#include "core/navigation/plan.h"
 
 // What can be seen from a place: cones of sight spread from polygon to polygon, narrowed by each gap they pass. Nobody sees from one kind of ground
 // into another, so each straight walk is of one cost a metre; walks change the ground at corners. Use one for each thread; the mesh and the corners must
@@ -25,6 +27,20 @@ public:
 	std::span<const SeenCorner> look(const NavPoint &from);
 	// The same from a corner, for walks that bend here, too.
 	std::span<const SeenCorner> look(uint32_t corner);
+	// Of the last look: all that it depends on lies in this part of the plan, or touches it.
+	PlanBox extent() const;
+	// Calls `action(polygon)` for those that the last look came into; perhaps several times for one.
+	void for_polygons(auto action) const {
+		std::for_each(_starts.begin(), _starts.end(), action);
+		std::for_each(_cones.begin(), _cones.end(), [&](const Cone &cone) { action(cone.polygon); });
+	}
+	// Looks end after so many cones, whatever is still to be seen; what lies near has been seen then. No ground of a city needs a tenth of them, but where
+	// polygons are piled on one another cones go round for minutes.
+	static constexpr size_t most_cones = 1 << 13;
+	void limit(size_t cones) { _limit = cones; }
+	// Of the last look.
+	bool is_cut_short() const { return _cones.size() >= _limit; }
+	size_t cone_count() const { return _cones.size(); }
 	// What the straight walk costs; infinity if `to` cannot be seen.
 	float straight(const NavPoint &from, const NavPoint &to);
 
@@ -38,7 +54,7 @@ private:
 	};
 	// Sight into a polygon through a gap, or what of the gap is not hidden.
 	struct Cone {
-		uint32_t polygon, came_from;
+		uint32_t polygon, link; // that it came through
 		uint32_t earlier; // another cone into this polygon; no_cone if it is the first
 		Ray left, right;
 	};
@@ -75,6 +91,7 @@ private:
 	float _ground = 1.0f; // cost of a metre
 	std::vector<uint32_t> _starts; // polygons that touch the root
 	std::vector<Cone> _cones;
+	size_t _limit = most_cones;
 	std::vector<SeenCorner> _seen;
 	// When looking for one point only: it, and the polygons that touch it.
 	bool _has_aim = false;

@@ -32,6 +32,34 @@ PackedVector3Array moved(const std::vector<glm::vec3> &polygon, glm::vec3 origin
 
 String block_name(BlockId block) { return "Block" + String::num_int64(index_of(block)); }
 
+constexpr size_t ground_piece = 1500; // faces
+
+template <typename Value> void append_part(std::vector<Value> &to, const std::vector<Value> &from, size_t first, size_t end) {
+	if (!from.empty()) {
+		to.insert(to.end(), from.begin() + ptrdiff_t(first), from.begin() + ptrdiff_t(end));
+	}
+}
+
+Mesh part_of(const Mesh &mesh, size_t first, size_t end) {
+	Mesh part;
+	for (size_t i = first; i < end; ++i) {
+		MeshFace face = mesh.faces[i];
+		const uint32_t first_loop = face.first_loop;
+		face.first_loop = uint32_t(part.loop_ends.size());
+		for (uint32_t loop = first_loop; loop < first_loop + face.loop_count; ++loop) {
+			const size_t from = mesh.first_corner(loop), to = mesh.loop_ends[loop];
+			append_part(part.positions, mesh.positions, from, to);
+			append_part(part.normals, mesh.normals, from, to);
+			for (size_t set = 0; set < mesh.uvs.size(); ++set) {
+				append_part(part.uvs[set], mesh.uvs[set], from, to);
+			}
+			part.loop_ends.push_back(uint32_t(part.positions.size()));
+		}
+		part.faces.push_back(face);
+	}
+	return part;
+}
+
 Transform3D to_frame(const glm::mat4 &matrix) {
 	const glm::vec3 x(matrix[0]), y(matrix[1]), z(matrix[2]), origin(matrix[3]);
 	return Transform3D(Basis(to_godot(x), to_godot(y), to_godot(z)), to_godot(origin));
@@ -96,21 +124,38 @@ void CityBuilder::add_instances(Node *parent, const cga::DerivationResult &model
 	}
 }
 
-void CityBuilder::fill_ground(Node3D *node, const GroundBuild &build, const char *name) {
-	add_geometry(node, build.model.mesh, build.model.materials, name);
-	add_instances(node, build.model, -1);
-	build_zones(node, build.zones, {});
-	build_objects(node, build.objects, build.model, {});
+// Made in slices of time, and drawn where its pieces are in view; then comes what stands on it.
+void CityBuilder::go_on_with_ground() {
+	const cga::DerivationResult &model = _ground->model;
+	Node3D *node = Object::cast_to<Node3D>(ObjectDB::get_instance(_ground_node));
+	if (node != nullptr && _next_face < model.mesh.faces.size()) {
+		const size_t end = std::min(_next_face + ground_piece, model.mesh.faces.size());
+		add_geometry(node, part_of(model.mesh, _next_face, end), model.materials, "Ground");
+		_next_face = end;
+		return;
+	}
+	if (node != nullptr) {
+		add_instances(node, model, -1);
+		build_zones(node, _ground->zones, {});
+		build_objects(node, _ground->objects, model, {});
+	}
+	_ground = nullptr;
 }
 
-void CityBuilder::build_streets(size_t tile) {
-	Node3D *streets = Object::cast_to<Node3D>(ObjectDB::get_instance(_streets));
+void CityBuilder::begin_ground(Node3D *node, const GroundBuild &build) {
+	_ground = &build;
+	_ground_node = ObjectID(node->get_instance_id());
+	_next_face = 0;
+}
+
+void CityBuilder::begin_streets(size_t tile) {
 	if (tile == 0) {
-		streets = memnew(Node3D);
+		Node3D *streets = memnew(Node3D);
 		streets->add_to_group(group, true);
 		add(_root, streets, "Streets");
-		_streets = streets->get_instance_id();
+		_streets = ObjectID(streets->get_instance_id());
 	}
+	Node3D *streets = Object::cast_to<Node3D>(ObjectDB::get_instance(_streets));
 	const GroundBuild &build = _city.ground.streets[tile];
 	if (streets == nullptr || (build.model.mesh.is_empty() && build.model.instances.empty() && build.objects.empty())) {
 		return;
@@ -118,15 +163,26 @@ void CityBuilder::build_streets(size_t tile) {
 	Node3D *node = memnew(Node3D);
 	node->add_to_group(group, true);
 	add(streets, node, "Tile" + String::num_int64(int64_t(tile)));
-	fill_ground(node, build, "Geometry");
+	begin_ground(node, build);
 }
 
 bool CityBuilder::build_next() {
+	if (_ground != nullptr) {
+		go_on_with_ground();
+		return true;
+	}
 	if (_next_tile < _city.ground.streets.size()) {
-		build_streets(_next_tile++);
+		begin_streets(_next_tile++);
 		return true;
 	}
 	const std::vector<CityBlock> &blocks = _city.layout.blocks;
+	if (_bare_lot.is_valid()) {
+		if (Node3D *lot = Object::cast_to<Node3D>(ObjectDB::get_instance(_bare_lot))) {
+			furnish_lot(lot, blocks[_next_block - 1].lots[_next_lot - 1]);
+		}
+		_bare_lot = ObjectID();
+		return true;
+	}
 	if (_next_block > 0 && _next_lot < blocks[_next_block - 1].lots.size()) {
 		const LotId lot = blocks[_next_block - 1].lots[_next_lot++];
 		if (Node3D *block = Object::cast_to<Node3D>(ObjectDB::get_instance(_block))) {
@@ -141,12 +197,43 @@ bool CityBuilder::build_next() {
 	return true;
 }
 
+namespace {
+
+// What the making of nodes costs beside that of faces.
+constexpr double work_of_node = 10.0;
+
+// Of all that is not the geometry of a part itself.
+double work_of_furniture(const cga::DerivationResult &model, size_t node_count) {
+	double faces = double(model.instances.size());
+	for (const auto &object : model.objects) {
+		faces += double(object.mesh.faces.size());
+	}
+	return faces + work_of_node * double(node_count);
+}
+
+} // namespace
+
+double CityBuilder::next_work() const {
+	if (_ground != nullptr) {
+		const size_t rest = _ground->model.mesh.faces.size() - _next_face;
+		return work_of_node + (rest > 0 ? double(std::min(rest, ground_piece)) : work_of_furniture(_ground->model, _ground->zones.size() + _ground->objects.size()));
+	}
+	const std::vector<CityBlock> &blocks = _city.layout.blocks;
+	const bool is_bare = _bare_lot.is_valid();
+	if (_next_block == 0 || !(is_bare || _next_lot < blocks[_next_block - 1].lots.size())) {
+		return work_of_node;
+	}
+	const LotBuild &build = _city.lots[index_of(blocks[_next_block - 1].lots[_next_lot - (is_bare ? 1 : 0)])];
+	return work_of_node + (is_bare ? work_of_furniture(build.model, build.entrances.size() + build.zones.size() + build.objects.size())
+								   : double(build.model.mesh.faces.size()));
+}
+
 void CityBuilder::begin_block(BlockId id) {
 	Node3D *block = memnew(Node3D);
 	block->add_to_group(group, true);
 	add(_root, block, block_name(id));
 	if (index_of(id) < _city.ground.blocks.size()) {
-		fill_ground(block, _city.ground.blocks[index_of(id)], "Ground");
+		begin_ground(block, _city.ground.blocks[index_of(id)]);
 	}
 	_block = block->get_instance_id();
 	_next_lot = 0;
@@ -208,13 +295,23 @@ void CityBuilder::build_lot(Node3D *parent, LotId id) {
 	node->set_position(to_godot(origin));
 	node->add_to_group("pcg_lots", true);
 	add(parent, node, "Lot" + String::num_int64(index_of(id)));
-	fill_lot(node, id);
+	add_lot_geometry(node, id);
+	_bare_lot = ObjectID(node->get_instance_id());
 }
 
 void CityBuilder::fill_lot(PCGLot *node, LotId id) {
+	add_lot_geometry(node, id);
+	furnish_lot(node, id);
+}
+
+void CityBuilder::add_lot_geometry(Node3D *node, LotId id) {
+	const LotBuild &build = _city.lots[index_of(id)];
+	add_geometry(node, build.model.mesh, build.model.materials, "Geometry", -to_godot(middle_of(_city.layout.lot(id).polygon)));
+}
+
+void CityBuilder::furnish_lot(Node3D *node, LotId id) {
 	const LotBuild &build = _city.lots[index_of(id)];
 	const Vector3 origin = to_godot(middle_of(_city.layout.lot(id).polygon));
-	add_geometry(node, build.model.mesh, build.model.materials, "Geometry", -origin);
 	add_instances(node, build.model, -1, -origin);
 	build_entrances(node, build, origin);
 	build_zones(node, build.zones, origin);

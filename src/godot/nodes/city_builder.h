@@ -26,8 +26,11 @@ class CityBuilder {
 public:
 	CityBuilder(godot::Node3D *root, const City &city, const CollisionSettings &collision = {});
 
-	// Streets first, by tile, then block by block the ground and the lots, one piece a call. False once all are there.
+	// Streets first, by tile, then block by block the ground and the lots, a piece a call: some faces of the ground, the geometry of a lot, what stands
+	// on it. False once all are there.
 	bool build_next();
+	// About how much work the next piece is; 1 is that of a face.
+	double next_work() const;
 	double progress() const { return double(_next_block) / double(std::max<size_t>(1, _city.layout.blocks.size())); }
 	void add_region(uint32_t tile, const godot::Ref<godot::NavigationMesh> &mesh);
 	// Of a lot's node: takes away all that generation made, and makes it of what the city says now. What was put there by hand stays.
@@ -41,16 +44,19 @@ public:
 	static constexpr const char *group = "pcg_generated";
 
 private:
-	void build_streets(size_t tile);
+	void begin_streets(size_t tile);
 	void begin_block(BlockId block);
-	// A part of the public ground and what stands on it.
-	void fill_ground(godot::Node3D *node, const GroundBuild &build, const char *name);
+	// A part of the public ground and what stands on it, piece by piece.
+	void begin_ground(godot::Node3D *node, const GroundBuild &build);
+	void go_on_with_ground();
 	void add(godot::Node *parent, godot::Node *child, const godot::String &name);
 	void add_geometry(godot::Node *parent, const Mesh &mesh, const std::vector<Material> &materials, const char *name,
 			godot::Vector3 position = {});
 	// Of one of the model's objects, or of none of them (-1).
 	void add_instances(godot::Node *parent, const cga::DerivationResult &model, int32_t object, godot::Vector3 position = {});
 	void build_lot(godot::Node3D *parent, LotId lot);
+	void add_lot_geometry(godot::Node3D *lot, LotId id);
+	void furnish_lot(godot::Node3D *lot, LotId id);
 	void build_entrances(godot::Node3D *lot, const LotBuild &build, godot::Vector3 origin);
 	void build_zones(godot::Node3D *parent, const std::vector<ZoneId> &zones, godot::Vector3 origin);
 	void build_objects(godot::Node3D *parent, const std::vector<ObjectId> &objects, const cga::DerivationResult &model, godot::Vector3 origin);
@@ -60,10 +66,12 @@ private:
 	CollisionSettings _collision;
 	godot::Node *_owner; // of everything that is made, so that it is saved with the scene
 	size_t _next_tile = 0; // of streets
-	godot::ObjectID _streets; // their node
+	godot::ObjectID _streets, _ground_node; // their node, and that of the ground in work
+	const GroundBuild *_ground = nullptr; // in work
+	size_t _next_face = 0; // of it
 	uint32_t _next_block = 0;
 	size_t _next_lot = 0; // of the block before that one
-	godot::ObjectID _block; // its node; a user may free it meanwhile
+	godot::ObjectID _block, _bare_lot; // its node, and that of a lot with nothing but its geometry yet; a user may free them meanwhile
 	CityMaterials _materials;
 	CityInstances _instances{ _materials };
 };

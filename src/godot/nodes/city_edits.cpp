@@ -164,6 +164,10 @@ void CityEdits::let_go(uint64_t object) {
 	const auto [kind, id] = found->second;
 	_bonds.erase(found);
 	_nodes[size_t(kind)][id] = 0;
+	remove_record(kind, id);
+}
+
+void CityEdits::remove_record(Kind kind, uint32_t id) {
 	CityModel &model = _state->city.model;
 	switch (kind) {
 		case Kind::Entrance: {
@@ -179,6 +183,22 @@ void CityEdits::let_go(uint64_t object) {
 		case Kind::Object: model.remove_object(ObjectId(id)); break;
 		case Kind::Lot: break;
 	}
+}
+
+void CityEdits::remove_unclaimed() {
+	const auto remove_of = [this](Kind kind, const auto &records) {
+		std::vector<uint64_t> &nodes = _nodes[size_t(kind)];
+		nodes.resize(std::max(nodes.size(), records.size()));
+		for (uint32_t id = 0; id < records.size(); ++id) {
+			if (nodes[id] == 0 && !records[id].is_removed) {
+				remove_record(kind, id);
+			}
+		}
+	};
+	const CityModel &model = _state->city.model;
+	remove_of(Kind::Entrance, model.entrances());
+	remove_of(Kind::Zone, model.zones());
+	remove_of(Kind::Object, model.objects());
 }
 
 Transform3D CityEdits::frame_of(const Node3D *node) const {
@@ -364,17 +384,6 @@ void CityEdits::mark_overlaps() {
 		lots.push_back({ object, place.lot, is_at_home, placed(place.motion, _state->city.layout.lot(place.lot).polygon) });
 	}
 	_overlaps.mark(_state->city.layout, lots);
-}
-
-void CityEdits::mark_reach(std::span<const Reach> verdicts) const {
-	const std::vector<uint64_t> &nodes = _nodes[size_t(Kind::Entrance)];
-	for (size_t i = 0; i < std::min(verdicts.size(), nodes.size()); ++i) {
-		PCGEntrance *node = node_of<PCGEntrance>(nodes[i]);
-		const bool is_reachable = verdicts[i] == Reach::Reachable || verdicts[i] == Reach::Removed;
-		if (node && node->is_reachable() != is_reachable) {
-			node->set_reachable(is_reachable);
-		}
-	}
 }
 
 PCGLot *CityEdits::lot_node(LotId lot) const {

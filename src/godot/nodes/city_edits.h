@@ -44,6 +44,8 @@ public:
 	};
 	// Takes in all that was noted. Not while another thread reads the model.
 	Changes take_in();
+	// Removes the records whose nodes were freed before they were taken in, or whose lot was before they were made. Call it when all nodes have been.
+	void remove_unclaimed();
 	// What the lots and objects that stand in the tree do to the ground for walking. By what changes it: the kind, then whose it is.
 	using Patches = std::map<std::pair<int, uint64_t>, GroundPatch>;
 	Patches patches() const;
@@ -68,6 +70,7 @@ private:
 	void take_in(uint64_t object);
 	void set_footprint(uint64_t object, std::vector<glm::vec3> corners);
 	void let_go(uint64_t object);
+	void remove_record(Kind kind, uint32_t id);
 	void take_in_lot(PCGLot *node);
 	void take_in_entrance(PCGEntrance *node);
 	void take_in_zone(PCGZone *node);

@@ -12,6 +12,12 @@ namespace {
 
 bool is_same(const GroundPatch &a, const GroundPatch &b) { return a.outline == b.outline && a.pieces == b.pieces; }
 
+void add_to(PlanBox &box, const NavRegion &region) {
+	for (const glm::vec3 &vertex : region.vertices) {
+		box.add(vertex);
+	}
+}
+
 } // namespace
 
 CityGround::CityGround(std::shared_ptr<CityState> state, const BakeSettings &settings, CityEdits::Patches patches)
@@ -96,14 +102,19 @@ void CityGround::collect_baked() {
 	if (std::ranges::any_of(_baked, [&](const Baked &baked) { return _baker->is_baking(baked.tile); })) {
 		return;
 	}
+	std::vector<PlanBox> changed;
 	for (Baked &baked : _baked) {
+		NavRegion &region = _state->regions[baked.tile];
+		PlanBox &box = changed.emplace_back();
+		add_to(box, region);
 		baked.mesh = _baker->finish(baked.tile);
-		_state->regions[baked.tile] = from_godot(baked.mesh);
+		region = from_godot(baked.mesh);
+		add_to(box, region);
 	}
 	_baker.reset();
 	_is_joined = false;
-	_joiner = std::thread([this] { // the regions stay as they are until it has ended
-		_joined = NavMesh::build(_state->regions);
+	_joiner = std::thread([this, changed = std::move(changed)] { // ground and regions stay as they are until it has ended
+		_joined = NavMesh::rebuild(_state->ground, changed, _state->regions);
 		_is_joined = true;
 	});
 }

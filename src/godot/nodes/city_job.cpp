@@ -6,6 +6,7 @@
 #include "core/city/walkable.h"
 #include "core/io/file_assets.h"
 #include "core/io/geojson.h"
+#include "core/navigation/corner_graph.h"
 #include "godot/convert.h"
 #include "godot/ports/engine_files.h"
 #include "godot/ports/engine_tree.h"
@@ -91,6 +92,10 @@ bool CityJob::join() {
 	progress = 0.5f;
 	reach = reach_of_entrances(state->city.model, state->ground);
 	report_unreachable(state->city, reach, diagnostics);
+	if (const size_t count = state->ground.corner_graph().cut_short_count(); count > 0) {
+		diagnostics.warning("piled-ground", "walkable polygons lie on one another at " + std::to_string(count) + " corners of the ground: ways there may be longer "
+						"than they need be", "see that lots and what stands on them do not overlap");
+	}
 	state->paths = std::make_unique<NavMeshPaths>(state->city.model, state->ground);
 	return !is_cancelled;
 }

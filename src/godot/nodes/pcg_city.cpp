@@ -14,10 +14,12 @@ namespace pcg {
 
 namespace {
 
-// Work on the main thread goes on in the next frame after so long. The last piece may take longer: a lot, a tile.
+// Work on the main thread goes on in the next frame after so long. A piece that is expected to take longer than what is left begins the next slice;
+// one that takes longer than a whole slice (a large lot, a tile) runs alone.
 class Slice {
 public:
-	bool is_over() const { return std::chrono::steady_clock::now() - _begin > std::chrono::milliseconds(3); }
+	double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - _begin).count(); }
+	bool is_over(double expected = 0.0) const { return seconds() + expected > 0.003; }
 
 private:
 	const std::chrono::steady_clock::time_point _begin = std::chrono::steady_clock::now();
@@ -49,6 +51,13 @@ void PCGCity::set_lot_types(const TypedArray<PCGLotType> &p_types) {
 
 void PCGCity::set_street_rules(const Ref<PCGRuleSet> &p_rules) {
 	_street_rules = p_rules;
+	update_configuration_warnings();
+}
+
+void PCGCity::set_cell_size(double p_metres) {
+	ERR_FAIL_COND_MSG(!(p_metres == 0.0 || (p_metres >= 0.05 && p_metres <= 1.0)),
+			"PCGCity: cell_size is 0.05 m to 1 m, or 0 for that of the world's navigation map; through larger cells no door can be told from its wall.");
+	_cell_size = p_metres;
 	update_configuration_warnings();
 }
 
@@ -99,13 +108,18 @@ bool PCGCity::begin(bool is_async) {
 	CityInput input;
 	_diagnostics = Diagnostics();
 	_seconds.clear();
-	_longest_hold = 0.0;
+	_longest_hold = _built_seconds = _built_work = 0.0;
 	if (!prepare_job(input, _diagnostics)) {
 		report(_diagnostics);
 		tell_end(false);
 		return false;
 	}
 	prepare_streets(input, _diagnostics);
+	PackedStringArray warnings;
+	add_bake_warnings(warnings);
+	for (const String &warning : warnings) {
+		_diagnostics.warning("odd-ground", from_godot(warning), "");
+	}
 	_job = std::make_unique<CityJob>(std::move(input));
 	_is_async = is_async;
 	emit_signal("generation_started");
@@ -257,8 +271,13 @@ void PCGCity::begin_building() {
 
 void PCGCity::build_slice() {
 	const Slice slice;
-	while (_builder->build_next()) {
-		if (_is_async && slice.is_over()) {
+	double before = 0.0;
+	for (double work = _builder->next_work(); _builder->build_next(); work = _builder->next_work()) {
+		const double now = slice.seconds();
+		_built_seconds += now - before;
+		_built_work += work;
+		before = now;
+		if (_is_async && slice.is_over(_builder->next_work() * _built_seconds / _built_work)) {
 			tell_progress(_builder->progress());
 			return;
 		}
@@ -271,6 +290,7 @@ void PCGCity::build_slice() {
 void PCGCity::begin_baking() {
 	_stage = Stage::Baking;
 	update_model();
+	_edits.remove_unclaimed();
 	_ground = std::make_unique<CityGround>(_job->state, bake_settings(), _edits.patches());
 	_baker = std::make_unique<TileBaker>(_job->state->city, bake_settings());
 	_job->state->regions.resize(_baker->tile_count());

@@ -45,6 +45,8 @@ public:
 	int64_t get_seed() const { return _seed; }
 	void set_generate_on_ready(bool p_enabled) { _generate_on_ready = p_enabled; }
 	bool get_generate_on_ready() const { return _generate_on_ready; }
+	void set_cell_size(double p_metres);
+	double get_cell_size() const { return _cell_size; }
 	void set_agent_radius(double p_metres);
 	double get_agent_radius() const { return _agent_radius; }
 	void set_agent_height(double p_metres);
@@ -87,6 +89,7 @@ public:
 	godot::Dictionary get_statistics() const;
 	godot::PackedVector3Array find_path(const godot::Vector3 &p_from, const godot::Vector3 &p_to) const;
 	double get_distance(int p_building, int p_other) const;
+	int get_nearest_building(const godot::String &p_type, int p_building) const;
 	int get_building_count() const;
 	godot::Dictionary get_building(int p_building) const;
 	godot::Error save_gltf(const godot::String &p_path) const;
@@ -123,6 +126,7 @@ private:
 	bool load_saved();
 	void read_regions(CityState &state) const;
 	BakeSettings bake_settings() const;
+	void add_bake_warnings(godot::PackedStringArray &warnings) const;
 	void adopt_lost_nodes();
 	bool can_edit() const { return _stage != Stage::Joining && _state_in_scene != nullptr; }
 	void take_in_edits();
@@ -155,6 +159,7 @@ private:
 	godot::Dictionary _street_attributes;
 	int64_t _seed = 1;
 	bool _generate_on_ready = false;
+	double _cell_size = 0.0; // metres; 0: the map's own
 	double _agent_radius = 0.25;
 	double _agent_height = 1.75;
 	double _agent_max_climb = 0.35;
@@ -170,6 +175,7 @@ private:
 	std::unique_ptr<TileBaker> _baker;
 	uint32_t _next_bake = 0, _next_tile = 0; // tiles to begin with, and to wait for
 	double _longest_hold = 0.0; // seconds
+	double _built_seconds = 0.0, _built_work = 0.0; // of this generation, by CityBuilder::next_work()
 	std::chrono::steady_clock::time_point _stage_start;
 	godot::Dictionary _seconds; // by stage, of the last generation
 	Diagnostics _diagnostics;

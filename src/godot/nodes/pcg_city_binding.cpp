@@ -50,6 +50,9 @@ void PCGCity::bind_streets() {
 
 void PCGCity::bind_navigation() {
 	ADD_GROUP("Navigation", "");
+	ClassDB::bind_method(D_METHOD("set_cell_size", "metres"), &PCGCity::set_cell_size);
+	ClassDB::bind_method(D_METHOD("get_cell_size"), &PCGCity::get_cell_size);
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "cell_size", PROPERTY_HINT_RANGE, "0,1,0.05,suffix:m"), "set_cell_size", "get_cell_size");
 	ClassDB::bind_method(D_METHOD("set_agent_radius", "metres"), &PCGCity::set_agent_radius);
 	ClassDB::bind_method(D_METHOD("get_agent_radius"), &PCGCity::get_agent_radius);
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "agent_radius", PROPERTY_HINT_RANGE, "0,1,0.05,suffix:m"), "set_agent_radius",
@@ -94,6 +97,7 @@ void PCGCity::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_building", "building"), &PCGCity::get_building);
 	ClassDB::bind_method(D_METHOD("find_path", "from", "to"), &PCGCity::find_path);
 	ClassDB::bind_method(D_METHOD("get_distance", "building", "other"), &PCGCity::get_distance);
+	ClassDB::bind_method(D_METHOD("get_nearest_building", "type", "building"), &PCGCity::get_nearest_building);
 	ClassDB::bind_method(D_METHOD("update_model"), &PCGCity::update_model);
 	ClassDB::bind_method(D_METHOD("is_updating_navigation"), &PCGCity::is_updating_navigation);
 	ClassDB::bind_method(D_METHOD("regenerate_lot", "lot"), &PCGCity::regenerate_lot);

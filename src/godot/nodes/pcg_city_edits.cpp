@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 #include <godot_cpp/classes/navigation_mesh.hpp>
@@ -23,7 +25,8 @@ BakeSettings PCGCity::bake_settings() const {
 	NavigationServer3D *server = NavigationServer3D::get_singleton();
 	const RID map = get_world_3d()->get_navigation_map();
 	BakeSettings settings;
-	settings.cell_size = float(server->map_get_cell_size(map));
+	settings.map_cell_size = float(server->map_get_cell_size(map));
+	settings.cell_size = settings.map_cell_size * std::max(1.0f, std::round(float(_cell_size) / settings.map_cell_size)); // corners lie on the map's cells
 	settings.cell_height = float(server->map_get_cell_height(map));
 	settings.agent_radius = float(_agent_radius);
 	settings.agent_height = float(_agent_height);

@@ -15,6 +15,10 @@ namespace pcg {
 
 Error PCGCity::save_gltf(const String &p_path) const {
 	ERR_FAIL_COND_V_MSG(!_state, ERR_UNCONFIGURED, "PCGCity: there is no city yet. Call generate() and wait for city_generated.");
+	const auto is_without_faces = [](const LotBuild &lot) { return lot.model.face_count > 0 && lot.model.mesh.faces.empty() && lot.model.instances.empty(); };
+	ERR_FAIL_COND_V_MSG(std::ranges::any_of(_state->city.lots, is_without_faces), ERR_UNAVAILABLE,
+			"PCGCity: this city came with its scene, which holds the engine's meshes and not what they were made of. Call generate() with its rules first, wait "
+			"for city_generated, then save_gltf().");
 	const EngineTree pictures;
 	return save_to(p_path, [&](const std::string &path, Diagnostics &diagnostics) { write_glb(_state->city, path, diagnostics, &pictures); });
 }
@@ -91,6 +95,14 @@ double PCGCity::get_distance(int p_building, int p_other) const {
 	ERR_FAIL_COND_V_MSG(p_building < 0 || p_building >= count || p_other < 0 || p_other >= count, no_way,
 			"PCGCity: buildings are numbered from 0 to get_building_count() - 1.");
 	return _state->paths->distance(BuildingId(p_building), BuildingId(p_other));
+}
+
+int PCGCity::get_nearest_building(const String &p_type, int p_building) const {
+	ERR_FAIL_COND_V_MSG(!_state, -1, "PCGCity: there is no city yet, so no buildings. Call generate() and wait for city_generated.");
+	ERR_FAIL_COND_V_MSG(p_building < 0 || p_building >= get_building_count(), -1,
+			"PCGCity: buildings are numbered from 0 to get_building_count() - 1.");
+	const BuildingId nearest = _state->paths->nearest_building(_state->city.model.types.find(from_godot(p_type)), BuildingId(p_building));
+	return is_valid(nearest) ? int(index_of(nearest)) : -1;
 }
 
 } // namespace pcg

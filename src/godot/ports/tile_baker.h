@@ -15,9 +15,10 @@
 namespace pcg {
 
 struct BakeSettings {
-	float cell_size = 0.25f; // metres; the map's own
+	float map_cell_size = 0.25f; // metres
+	float cell_size = 0.25f; // a whole multiple of it
 	float cell_height = 0.25f;
-	float agent_radius = 0.25f; // how far from walls people keep
+	float agent_radius = 0.25f; // how far from walls people keep; rounded up to whole cells
 	float agent_height = 1.75f;
 	float agent_max_climb = 0.35f; // rounded down to whole cells
 	float agent_max_slope = 45.0f; // degrees
@@ -33,11 +34,12 @@ public:
 	// Begins a tile; `is_async`: on the engine's threads, finished once is_baking() is false.
 	void bake(uint32_t tile, bool is_async);
 	bool is_baking(uint32_t tile) const;
-	// Of a finished tile. Lowered onto the ground: the engine's baker puts its polygons two cells too high.
+	// Of a finished tile. Lowered onto the ground: the engine's baker puts its polygons two cells too high. And a millimetre off the lines of the map's cells:
+	// on a line, rounding would decide which cell a corner is in, and the map joins edges by cells.
 	godot::Ref<godot::NavigationMesh> finish(uint32_t tile);
 	size_t tile_count() const { return _jobs.size(); }
 
-	static constexpr float border = 2.0f; // metres: more than an agent's radius
+	static constexpr float border = 2.0f; // metres at least: more than an agent's radius
 
 private:
 	struct Job {
@@ -45,6 +47,7 @@ private:
 		godot::Ref<godot::NavigationMeshSourceGeometryData3D> source;
 		bool is_finished = false;
 	};
+	float border_size() const; // a whole number of cells
 	godot::AABB snapped(glm::vec3 min, glm::vec3 max) const;
 	float snap(float metres) const;
 

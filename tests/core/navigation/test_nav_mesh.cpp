@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/navigation/corner_graph.h"
 #include "core/navigation/nav_mesh.h"
 #include "core/navigation/path_finder.h"
 #include "tests/core/navigation/grid_world.h"
@@ -119,5 +120,59 @@ TEST_CASE("a world cut into regions has the same walks as in one piece") {
 			REQUIRE(in_whole.find(whole.nearest(from, 1), whole.nearest(to, 1)) == in_cut.find(cut.nearest(from, 1), cut.nearest(to, 1)));
 			CHECK(in_cut.length() == doctest::Approx(in_whole.length()).epsilon(0.01));
 		}
+	}
+}
+
+TEST_CASE("after a region was replaced walks are as short as on a ground that is built anew") {
+	size_t inherited = 0;
+	for (uint64_t seed = 0; seed < 30; ++seed) {
+		CAPTURE(seed);
+		GridWorld world(40, 12, 0.3, seed);
+		std::vector<NavRegion> regions = { world.region(0, 17), world.region(17, 23), world.region(23, 40) };
+		NavMesh mesh = mesh_of(regions);
+		Random random(seed, 1);
+		for (int edit = 0; edit < 3; ++edit) {
+			for (int i = 0; i < 12; ++i) {
+				world.set_free(18 + int(random.index(4)), int(random.index(12)), random.chance(0.5));
+			}
+			regions[1] = world.region(17, 23);
+			PlanBox changed;
+			changed.add({ 17, 0, 0 });
+			changed.add({ 23, 0, 12 });
+			mesh = NavMesh::rebuild(mesh, { &changed, 1 }, regions);
+		}
+		const NavMesh fresh = mesh_of(regions);
+		const CornerGraph &graph = mesh.corner_graph();
+		REQUIRE(graph.corners().count() == fresh.corner_graph().corners().count());
+		for (uint32_t corner = 0; corner < graph.corners().count(); ++corner) {
+			for (const SeenCorner &walk : graph.walks(corner)) {
+				const auto back = graph.walks(walk.corner);
+				REQUIRE(std::ranges::any_of(back, [&](const SeenCorner &seen) { return seen.corner == corner && seen.cost == walk.cost; }));
+			}
+			const auto theirs = fresh.corner_graph().walks(corner);
+			inherited += std::ranges::equal(graph.walks(corner), theirs, [](const SeenCorner &a, const SeenCorner &b) { return a.corner == b.corner && a.cost == b.cost; });
+		}
+		PathFinder after(mesh), anew(fresh);
+		for (int i = 0; i < 30; ++i) {
+			const glm::vec3 from = world.random_place(random), to = world.random_place(random);
+			REQUIRE(after.find(mesh.nearest(from, 1), mesh.nearest(to, 1)) == anew.find(fresh.nearest(from, 1), fresh.nearest(to, 1)));
+			CHECK(after.length() == doctest::Approx(anew.length()).epsilon(0.01));
+		}
+	}
+	CHECK(inherited > 1000);
+}
+
+TEST_CASE("where nothing of the ground before is left it is built anew") {
+	const GridWorld world(12, 12, 0.3, 4);
+	const NavRegion region = world.region(0, 12);
+	PlanBox nothing; // told wrong: all has changed
+	const NavMesh mesh = NavMesh::rebuild(GridWorld(12, 12, 0.3, 5).mesh(), { &nothing, 1 }, { &region, 1 });
+	PathFinder finder(mesh);
+	Random random(4);
+	for (int i = 0; i < 30; ++i) {
+		const glm::vec3 from = world.random_place(random), to = world.random_place(random);
+		const double shortest = world.shortest(from, to);
+		REQUIRE(finder.find(mesh.nearest(from, 1), mesh.nearest(to, 1)) == std::isfinite(shortest));
+		CHECK((!std::isfinite(shortest) || finder.length() <= shortest * 1.01 + 0.001));
 	}
 }

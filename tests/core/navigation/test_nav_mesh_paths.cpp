@@ -153,26 +153,28 @@ TEST_CASE("distances are the lengths of the paths between the doors, on mazes, f
 	}
 }
 
-TEST_CASE("the nearest building is the best of all distances") {
-	const GridWorld world(24, 24, 0.3, 8);
-	const NavMesh mesh = world.mesh();
-	CityModel city;
-	Random random(8);
-	for (int i = 0; i < 60; ++i) {
-		add_building(city, i % 4 == 0 ? "shop" : "house", { world.random_place(random), world.random_place(random) });
-	}
-	const NavMeshPaths paths(city, mesh);
-	const TypeId shop = city.types.find("shop");
-	for (uint32_t i = 0; i < 60; ++i) {
-		BuildingId best = BuildingId::Invalid;
-		double best_metres = std::numeric_limits<double>::infinity();
-		for (BuildingId candidate : city.buildings_of_type(shop)) {
-			if (paths.distance(BuildingId(i), candidate) < best_metres) {
-				best_metres = paths.distance(BuildingId(i), candidate);
-				best = candidate;
-			}
+TEST_CASE("the nearest building is the best of all distances, to a hundredth") {
+	for (uint64_t seed = 8; seed < 14; ++seed) {
+		CAPTURE(seed);
+		const GridWorld world(24, 24, 0.3, seed);
+		const NavMesh mesh = world.mesh();
+		CityModel city;
+		Random random(seed);
+		for (int i = 0; i < 60; ++i) {
+			add_building(city, i % 4 == 0 ? "shop" : "house", { world.random_place(random), world.random_place(random) });
 		}
-		CHECK(paths.nearest_building(shop, BuildingId(i)) == best);
+		const NavMeshPaths paths(city, mesh);
+		const TypeId shop = city.types.find("shop");
+		for (uint32_t i = 0; i < 60; ++i) {
+			double best = std::numeric_limits<double>::infinity();
+			for (BuildingId candidate : city.buildings_of_type(shop)) {
+				best = std::fmin(best, paths.distance(BuildingId(i), candidate));
+			}
+			const BuildingId nearest = paths.nearest_building(shop, BuildingId(i));
+			REQUIRE(is_valid(nearest) == std::isfinite(best));
+			CHECK((!is_valid(nearest) || paths.distance(BuildingId(i), nearest) <= best * 1.01 + 0.01));
+			CHECK((i % 4 != 0 || nearest == BuildingId(i)));
+		}
 	}
 }
 
@@ -191,9 +193,11 @@ TEST_CASE("after an edit and prepare() the answers are those of the edited city"
 	city.remove_building(far);
 	paths.prepare();
 	CHECK(paths.nearest_building(city.types.find("school"), home) == near);
-	// Buildings and types that came later are answered too, though not from memory.
+	// Buildings and types that came later are known from the next prepare() on.
 	const BuildingId new_shop = add_building(city, "shop", { { 9.5f, 0, 1.5f } });
 	CHECK(std::isinf(paths.distance(home, new_shop)));
+	CHECK(paths.nearest_building(city.types.find("shop"), home) == BuildingId::Invalid);
+	CHECK(paths.nearest_building(city.types.find("school"), new_shop) == BuildingId::Invalid);
 	paths.prepare();
 	CHECK(paths.nearest_building(city.types.find("shop"), home) == new_shop);
 }

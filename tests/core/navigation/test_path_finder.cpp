@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/navigation/corner_graph.h"
 #include "core/navigation/path_finder.h"
 #include "tests/core/navigation/grid_world.h"
 
@@ -139,4 +140,32 @@ TEST_CASE("a finder can be used many times over with the same answers") {
 		REQUIRE(used.find(from, to) == fresh.find(from, to));
 		CHECK(used.length() == fresh.length());
 	}
+}
+
+TEST_CASE("on polygons that are piled on one another sight ends early, and ways are found all the same") {
+	Random random(1);
+	std::vector<NavRegion> pile;
+	for (int i = 0; i < 170; ++i) {
+		const float x = float(random.uniform(0.0, 12.0)), z = float(random.uniform(0.0, 12.0));
+		const float width = float(random.uniform(1.0, 6.0)), depth = float(random.uniform(1.0, 6.0));
+		NavRegion &region = pile.emplace_back();
+		region.vertices = { { x, 0, z }, { x, 0, z + depth }, { x + width, 0, z + depth }, { x + width, 0, z } };
+		region.polygons = { { 0, 1, 2, 3 } };
+	}
+	const NavMesh mesh = NavMesh::build(pile);
+	CHECK(mesh.corner_graph().cut_short_count() > 0);
+	PathFinder finder(mesh);
+	size_t found = 0;
+	for (int i = 0; i < 100; ++i) {
+		const NavPoint from = mesh.nearest({ random.uniform(0.0, 18.0), 0, random.uniform(0.0, 18.0) }, 20);
+		const NavPoint to = mesh.nearest({ random.uniform(0.0, 18.0), 0, random.uniform(0.0, 18.0) }, 20);
+		REQUIRE(finder.find(from, to) == (mesh.component(from.polygon) == mesh.component(to.polygon)));
+		if (mesh.component(from.polygon) == mesh.component(to.polygon)) {
+			CHECK(finder.points().front() == from.position);
+			CHECK(finder.points().back() == to.position);
+			CHECK(finder.length() >= double(glm::distance(from.position, to.position)) - 0.01);
+			++found;
+		}
+	}
+	CHECK(found > 50);
 }

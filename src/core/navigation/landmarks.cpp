@@ -1,0 +1,107 @@
+#include "core/navigation/landmarks.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "core/navigation/corner_graph.h"
+#include "core/navigation/nav_mesh.h"
+#include "core/navigation/open_list.h"
+
+namespace pcg {
+
+namespace {
+
+// Dijkstra from what is open.
+void spread_costs(const CornerGraph &graph, OpenList &open, std::vector<float> &costs) {
+	while (!open.is_empty()) {
+		const OpenList::Entry entry = open.pop();
+		if (entry.estimate > costs[entry.node]) {
+			continue; // a better way there was found in the meantime
+		}
+		for (const SeenCorner &next : graph.walks(entry.node)) {
+			const float cost = entry.estimate + next.cost;
+			if (cost < costs[next.corner]) {
+				costs[next.corner] = cost;
+				open.push({ cost, next.corner });
+			}
+		}
+	}
+}
+
+float least_cost(const CornerGraph &graph, uint32_t corner, const std::vector<float> &costs) {
+	float least = INFINITY;
+	for (const SeenCorner &walk : graph.walks(corner)) {
+		least = std::min(least, costs[walk.corner] + walk.cost);
+	}
+	return least;
+}
+
+} // namespace
+
+std::vector<uint32_t> choose_landmarks(const NavMesh &mesh, const Corners &corners, size_t count) {
+	std::vector<uint32_t> count_by_ground(mesh.component_count());
+	const auto ground_of = [&](uint32_t corner) { return mesh.component(corners.polygons(corner)[0]); };
+	for (uint32_t corner = 0; corner < corners.count(); ++corner) {
+		++count_by_ground[ground_of(corner)];
+	}
+	const auto ground = uint32_t(std::max_element(count_by_ground.begin(), count_by_ground.end()) - count_by_ground.begin());
+	std::vector<float> nearest(corners.count());
+	for (uint32_t corner = 0; corner < corners.count(); ++corner) {
+		nearest[corner] = ground_of(corner) == ground ? glm::length(corners.position(corner)) : -1.0f;
+	}
+	std::vector<uint32_t> landmarks;
+	while (landmarks.size() < count) {
+		landmarks.push_back(uint32_t(std::max_element(nearest.begin(), nearest.end()) - nearest.begin()));
+		for (uint32_t corner = 0; corner < corners.count(); ++corner) {
+			nearest[corner] = std::min(nearest[corner], glm::distance(corners.position(corner), corners.position(landmarks.back())));
+		}
+	}
+	return landmarks;
+}
+
+std::vector<float> walk_costs(const CornerGraph &graph, uint32_t from) {
+	std::vector<float> costs(graph.corners().count(), INFINITY);
+	OpenList open;
+	costs[from] = 0.0f;
+	open.push({ 0.0f, from });
+	spread_costs(graph, open, costs);
+	return costs;
+}
+
+// First, from near to far, costs are forgotten that no neighbour gives any more (Ramalingam and Reps 1996); then what is left spreads anew.
+void repair_walk_costs(const CornerGraph &graph, uint32_t from, std::span<const uint32_t> changed, std::vector<float> &costs) {
+	std::vector<uint32_t> unsettled(changed.begin(), changed.end());
+	OpenList open;
+	for (const uint32_t corner : changed) {
+		if (std::isfinite(costs[corner])) {
+			open.push({ costs[corner], corner });
+		}
+	}
+	while (!open.is_empty()) {
+		const auto [cost, corner] = open.pop();
+		if (corner == from || costs[corner] != cost || least_cost(graph, corner, costs) <= cost) {
+			continue;
+		}
+		costs[corner] = INFINITY;
+		unsettled.push_back(corner);
+		for (const SeenCorner &next : graph.walks(corner)) {
+			if (costs[next.corner] == cost + next.cost) {
+				open.push({ costs[next.corner], next.corner });
+			}
+		}
+	}
+	for (const uint32_t corner : unsettled) {
+		const float least = corner == from ? 0.0f : least_cost(graph, corner, costs);
+		if (least < costs[corner]) {
+			costs[corner] = least;
+		}
+		if (std::isfinite(costs[corner])) {
+			open.push({ costs[corner], corner });
+		}
+	}
+	spread_costs(graph, open, costs);
+}
+
+} // namespace pcg
