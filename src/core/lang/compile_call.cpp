@@ -94,7 +94,14 @@ bool Compiler::argument(const ParamSpec &param, std::string_view name, size_t po
 		case ParamKind::Array:
 			return value_argument(param, name, position, id);
 		case ParamKind::Word:
-			if (!word_argument(param, expr) && !selector_argument(expr, OpCode::FindWord, param.words)) {
+			if (word_argument(param, expr) || selector_argument(expr, OpCode::FindWord, param.words)) {
+				return false;
+			}
+			// A value that is the word as a text does as well as sel(..) of it: Esri's rule for static models has i(file, upMode, ..).
+			if (expr.kind == ExprKind::Name ? is_value_name(expr.name) : expr.kind == ExprKind::Text || expr.kind == ExprKind::Call || expr.kind == ExprKind::Case) {
+				expression(id);
+				emit(OpCode::FindWord, expr.offset, 0, symbol(param.words));
+			} else {
 				complain("unknown-word", expr.offset, "argument " + std::to_string(position + 1) + " of `" + std::string(name) + "` is one of: " +
 								std::string(param.words));
 				emit_constant(Value::of_index(ValueType::Word, 0), expr.offset);
