@@ -83,11 +83,9 @@ private:
 			_counts[repeat] = 0;
 			return;
 		}
-		if (pattern.flexible == 0.0) {
-			const double room = std::max(0.0, _length - outer.fixed) / pattern.fixed;
-			// Beside flexible parts only whole patterns; without any, the last one is cut.
-			set_count(repeat, outer.flexible > 0.0 ? std::floor(room + 1e-9) : std::ceil(room - 1e-9));
-			_repeat_room = outer.flexible > 0.0 ? _length : std::max(0.0, _length - outer.fixed);
+		if (pattern.flexible == 0.0 && outer.flexible == 0.0) { // nothing can be stretched: the last one is cut
+			_repeat_room = std::max(0.0, _length - outer.fixed);
+			set_count(repeat, std::ceil(_repeat_room / pattern.fixed - 1e-9));
 			return;
 		}
 		const double ideal = std::clamp((_length - outer.fixed - outer.flexible) / nominal, 0.0, double(_max_parts) + 1.0);
