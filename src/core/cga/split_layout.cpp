@@ -89,7 +89,8 @@ private:
 			return;
 		}
 		const double ideal = std::clamp((_length - outer.fixed - outer.flexible) / nominal, 0.0, double(_max_parts) + 1.0);
-		set_count(repeat, std::max(1.0, std::floor(ideal)));
+		const double least = outer.flexible > 0.0 ? 0.0 : 1.0; // where others can fill the length alone, they may
+		set_count(repeat, std::max(least, std::floor(ideal)));
 		const uint32_t few = _counts[repeat];
 		const double stretch_of_few = stretch();
 		set_count(repeat, few + 1.0);
