@@ -21,8 +21,9 @@ uint32_t file_of(Vm &vm) {
 
 // --- Names
 
+// Backslashes part folders only where no slash does; endings go by the last dot of the whole path (CityEngine's own library).
 std::string_view file_name(std::string_view path) {
-	return path.substr(path.find_last_of("/\\") + 1);
+	return path.substr(path.find_last_of(path.find('/') == std::string_view::npos ? '\\' : '/') + 1);
 }
 
 Value name_of(Vm &vm, const Args &args) { return Value::of(vm.make_text(file_name(text_at(args, 0)))); }
@@ -33,9 +34,9 @@ Value directory_of(Vm &vm, const Args &args) {
 }
 
 Value extension_of(Vm &vm, const Args &args) {
-	const std::string_view name = file_name(text_at(args, 0));
-	const size_t dot = name.find_last_of('.');
-	return Value::of(vm.make_text(dot == std::string_view::npos ? std::string_view() : name.substr(dot + 1)));
+	const std::string_view path = text_at(args, 0);
+	const size_t dot = path.find_last_of('.');
+	return Value::of(vm.make_text(dot == std::string_view::npos ? std::string_view() : path.substr(dot + 1)));
 }
 
 Value base_name_of(Vm &vm, const Args &args) {

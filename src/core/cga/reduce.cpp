@@ -138,10 +138,20 @@ private:
 		const std::vector<uint32_t> a = neighbours(from), b = neighbours(to);
 		std::vector<uint32_t> common;
 		std::ranges::set_intersection(a, b, std::back_inserter(common));
-		if (common.size() > 2 || !std::ranges::binary_search(a, to)) {
+		if (common.size() > 2 || !std::ranges::binary_search(a, to) || leaves_nothing(from, to)) {
 			return false;
 		}
 		return std::ranges::all_of(_faces_of[from], [&](uint32_t f) { return stays_sound(_indexed.faces[f], from, to); });
+	}
+
+	// Triangles along the edge vanish with it: the last ones of a part stay.
+	bool leaves_nothing(uint32_t from, uint32_t to) const {
+		const auto vanishes = [&](uint32_t f) {
+			const std::vector<Loop> &loops = _indexed.faces[f].loops;
+			const auto has = [&](uint32_t vertex) { return position(loops[0], vertex) < loops[0].size(); };
+			return loops.size() == 1 && loops[0].size() == 3 && has(from) && has(to);
+		};
+		return std::ranges::all_of(_faces_of[from], vanishes) && std::ranges::all_of(_faces_of[to], vanishes);
 	}
 
 	bool stays_sound(const Face &face, uint32_t from, uint32_t to) const {

@@ -25,7 +25,8 @@ EnvelopeFace bottom_of(const Loops2 &polygon) {
 		for (const glm::dvec2 &point : loop) {
 			points.push_back({ point, 0.0 });
 		}
-		std::reverse(points.begin() + 1, points.end());
+		std::ranges::reverse(points);
+		std::rotate(points.begin(), points.end() - 2, points.end()); // the first edge stays the first
 	}
 	return bottom;
 }

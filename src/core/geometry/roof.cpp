@@ -28,23 +28,6 @@ double top_of(const StraightSkeleton &skeleton) {
 	return top;
 }
 
-RoofFace bottom_of(const RoofOutline &outline) {
-	RoofFace bottom{ RoofPart::Bottom, 0, {}, {} };
-	for (size_t l = 0; l < outline.size(); ++l) {
-		RoofLoop loop;
-		for (const glm::dvec2 &point : outline[l]) {
-			loop.push_back({ point, 0.0 });
-		}
-		std::reverse(loop.begin() + 1, loop.end()); // the first vertex stays the first
-		if (l == 0) {
-			bottom.outline = std::move(loop);
-		} else {
-			bottom.holes.push_back(std::move(loop));
-		}
-	}
-	return bottom;
-}
-
 using PointKey = std::pair<int64_t, int64_t>;
 
 // A tenth of a millimetre: finer than any roof detail, coarser than the skeleton's rounding.
@@ -313,7 +296,7 @@ Roof roof_hip(const RoofOutline &outline, RoofSlope slope, double overhang, bool
 	if (is_even && !roof.faces.empty()) {
 		level_ridge(roof.faces);
 	}
-	roof.faces.push_back(bottom_of(outline));
+	roof.faces.push_back(roof_bottom(outline));
 	return roof;
 }
 
@@ -325,7 +308,7 @@ Roof roof_gable(const RoofOutline &outline, RoofSlope slope, double overhang_eav
 	}
 	Roof roof;
 	roof.faces = gable_planes(outline, with_angle(outline, slope, is_even), overhang_eaves, overhang_gables, is_even, roof.is_complete);
-	roof.faces.push_back(bottom_of(outline));
+	roof.faces.push_back(roof_bottom(outline));
 	return roof;
 }
 
@@ -349,7 +332,7 @@ Roof roof_pyramid(const RoofOutline &outline, RoofSlope slope) {
 		const glm::dvec2 a = loop[i], b = loop[(i + 1) % loop.size()];
 		roof.faces.push_back({ RoofPart::Plane, uint32_t(i), { { a, 0.0 }, { b, 0.0 }, { middle, height } }, {} });
 	}
-	roof.faces.push_back(bottom_of({ loop }));
+	roof.faces.push_back(roof_bottom({ loop }));
 	return roof;
 }
 

@@ -141,23 +141,6 @@ void add_walls(Roof &roof, const RoofOutline &outline, const Profile &profile) {
 	}
 }
 
-void add_bottom(Roof &roof, const RoofOutline &outline) {
-	RoofFace bottom{ RoofPart::Bottom, 0, {}, {} };
-	for (size_t l = 0; l < outline.size(); ++l) {
-		RoofLoop loop;
-		for (const glm::dvec2 &point : outline[l]) {
-			loop.push_back({ point, 0.0 });
-		}
-		std::reverse(loop.begin() + 1, loop.end());
-		if (l == 0) {
-			bottom.outline = std::move(loop);
-		} else {
-			bottom.holes.push_back(std::move(loop));
-		}
-	}
-	roof.faces.push_back(std::move(bottom));
-}
-
 void sort_by_edge(Roof &roof) {
 	std::stable_sort(roof.faces.begin(), roof.faces.end(), [](const RoofFace &a, const RoofFace &b) { return a.edge < b.edge; });
 }
@@ -202,7 +185,7 @@ void turn_over(Roof &roof) {
 			point.z = -point.z;
 		}
 		std::reverse(loop.begin(), loop.end());
-		std::rotate(loop.begin(), loop.end() - 2, loop.end());
+		std::rotate(loop.begin(), loop.end() - 2, loop.end()); // the first edge stays the first
 	};
 	for (RoofFace &face : roof.faces) {
 		turn(face.outline);
@@ -211,6 +194,24 @@ void turn_over(Roof &roof) {
 }
 
 } // namespace
+
+RoofFace roof_bottom(const RoofOutline &outline) {
+	RoofFace bottom{ RoofPart::Bottom, 0, {}, {} };
+	for (size_t l = 0; l < outline.size(); ++l) {
+		RoofLoop loop;
+		for (const glm::dvec2 &point : outline[l]) {
+			loop.push_back({ point, 0.0 });
+		}
+		std::ranges::reverse(loop);
+		std::rotate(loop.begin(), loop.end() - 2, loop.end()); // the first edge stays the first
+		if (l == 0) {
+			bottom.outline = std::move(loop);
+		} else {
+			bottom.holes.push_back(std::move(loop));
+		}
+	}
+	return bottom;
+}
 
 Roof roof_along(const RoofOutline &outline, RoofSlope slope, glm::dvec2 direction, double overhang_eaves, double overhang_gables) {
 	Roof roof;
@@ -233,7 +234,7 @@ Roof roof_along(const RoofOutline &outline, RoofSlope slope, glm::dvec2 directio
 	}
 	add_walls(roof, outline, profile);
 	sort_by_edge(roof);
-	add_bottom(roof, outline);
+	roof.faces.push_back(roof_bottom(outline));
 	return roof;
 }
 
@@ -256,7 +257,7 @@ Roof roof_shed(const RoofOutline &outline, RoofSlope slope, int edge) {
 	const Profile profile{ across, low, rise };
 	add_walls(roof, outline, profile);
 	add_plane(roof, outline, profile, outline);
-	add_bottom(roof, outline);
+	roof.faces.push_back(roof_bottom(outline));
 	if (slope.value < 0.0) {
 		turn_over(roof);
 	}

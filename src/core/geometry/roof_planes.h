@@ -4,6 +4,9 @@
 
 namespace pcg {
 
+// The face under a roof, which looks down: the outline the other way around, with the same first edge.
+RoofFace roof_bottom(const RoofOutline &outline);
+
 // One outline with its holes on the positive side of the line normal . p = offset; concave ones fall into pieces. Points on the line count as cut away.
 std::vector<RoofOutline> cut_outline(const RoofOutline &outline, glm::dvec2 normal, double offset);
 

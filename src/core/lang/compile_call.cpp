@@ -94,14 +94,15 @@ bool Compiler::argument(const ParamSpec &param, std::string_view name, size_t po
 		case ParamKind::Array:
 			return value_argument(param, name, position, id);
 		case ParamKind::Word:
-			if (!word_argument(param, expr) && !selector_argument(expr, OpCode::FindWord, param.words)) {
+			if (!word_argument(param, expr) && !selector_argument(expr, OpCode::FindWord, param.words) && !text_as_word(param, id)) {
 				complain("unknown-word", expr.offset, "argument " + std::to_string(position + 1) + " of `" + std::string(name) + "` is one of: " +
 								std::string(param.words));
 				emit_constant(Value::of_index(ValueType::Word, 0), expr.offset);
 			}
 			return false;
 		case ParamKind::WordOrNumber:
-			return !word_argument(param, expr) && !selector_argument(expr, OpCode::FindWord, param.words) && size_expression(id) != ValueType::Number;
+			return !word_argument(param, expr) && !selector_argument(expr, OpCode::FindWord, param.words) && !text_as_word(param, id) &&
+					size_expression(id) != ValueType::Number;
 		case ParamKind::Predicate:
 			emit_constant(Value::of_index(ValueType::Chunk, uint32_t(value_chunk(id, false))), expr.offset);
 			return false;
@@ -159,6 +160,19 @@ void Compiler::rule_argument(const Expr &expr) {
 		_edges.push_back({ _current_rule, rule, true });
 	}
 	emit_constant(Value::of_index(ValueType::Rule, rule), expr.offset);
+}
+
+// A value that is the word as a text does as well as sel(..) of it: Esri's rule for static models has i(file, upMode, ..), old files have "auto".
+bool Compiler::text_as_word(const ParamSpec &param, uint32_t id) {
+	const Expr &expr = _scope.ast->exprs[id];
+	const bool may_be_number = param.kind == ParamKind::WordOrNumber;
+	const bool is_value = expr.kind == ExprKind::Name ? is_value_name(expr.name) : expr.kind == ExprKind::Call || expr.kind == ExprKind::Case;
+	if (expr.kind != ExprKind::Text && (may_be_number || !is_value)) {
+		return false;
+	}
+	expression(id);
+	emit(OpCode::FindWord, expr.offset, 0, symbol(param.words));
+	return true;
 }
 
 // sel("name"): a name or word that is made while running.

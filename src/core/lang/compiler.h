@@ -139,6 +139,7 @@ private:
 	bool word_argument(const ParamSpec &param, const Expr &expr);
 	void rule_argument(const Expr &expr);
 	void target_argument(const Expr &expr);
+	bool text_as_word(const ParamSpec &param, uint32_t expr);
 	bool selector_argument(const Expr &expr, OpCode code, std::string_view words); // sel("..")
 	uint32_t replaced_by_caller(uint32_t definition) const;
 	uint32_t begin_import(uint32_t import_call, uint32_t offset); // gives the space of the import, no_node if there is none

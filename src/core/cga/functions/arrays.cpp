@@ -202,6 +202,8 @@ template <auto function> Value each(Vm &vm, const Args &args) {
 double round_down(double x) { return std::floor(x); }
 double round_up(double x) { return std::ceil(x); }
 double round_to_nearest(double x) { return std::round(x); }
+// As rint of C and Java; Esri's street rules add 0.01 to have halves go up.
+double round_to_even(double x) { return std::isfinite(x) ? x - std::remainder(x, 1.0) : x; }
 bool is_nan(double x) { return std::isnan(x); }
 bool is_infinite(double x) { return std::isinf(x); }
 
@@ -239,7 +241,8 @@ void add_array_functions(Dialect &dialect) {
 	functions.push_back({ "index", { array, { "place", Number } }, ValueType::Void, index, "Old form of array[place]." });
 	take_arrays<round_down>(dialect, "floor");
 	take_arrays<round_up>(dialect, "ceil");
-	take_arrays<round_to_nearest>(dialect, "rint");
+	take_arrays<round_to_even>(dialect, "rint");
+	dialect.functions[size_t(dialect.find_function("rint", 1))].help = "The nearest whole number, of halves the even one.";
 	take_arrays<round_to_nearest>(dialect, "round");
 	take_arrays<is_nan>(dialect, "isnan");
 	take_arrays<is_infinite>(dialect, "isinf");

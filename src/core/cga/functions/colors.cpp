@@ -18,10 +18,11 @@ namespace pcg::cga {
 
 namespace {
 
+// Opacity is 0 where the text is too short to have one.
 glm::dvec4 color_at(const Args &args, size_t i) {
-	glm::vec4 color(0.0f, 0.0f, 0.0f, 1.0f);
+	glm::vec4 color(0.0f);
 	parse_color(text_at(args, i), color);
-	return glm::dvec4(color);
+	return glm::round(glm::dvec4(color) * 255.0) / 255.0;
 }
 
 // Hue in degrees, saturation and value (Smith 1978).
@@ -138,7 +139,7 @@ void add_color_functions(Dialect &dialect) {
 	functions.push_back({ "colorHexToR", { color }, number, color_channel<0>, "Red of \"#rrggbb\", 0 to 1." });
 	functions.push_back({ "colorHexToG", { color }, number, color_channel<1>, "Green of \"#rrggbb\", 0 to 1." });
 	functions.push_back({ "colorHexToB", { color }, number, color_channel<2>, "Blue of \"#rrggbb\", 0 to 1." });
-	functions.push_back({ "colorHexToO", { color }, number, color_channel<3>, "Opacity of \"#rrggbboo\", 0 to 1; 1 where it is not given." });
+	functions.push_back({ "colorHexToO", { color }, number, color_channel<3>, "Opacity of \"#rrggbboo\", 0 to 1; 0 where it is not given." });
 	functions.push_back({ "colorHexToH", { color }, number, color_hsv<0>, "Hue of \"#rrggbb\", degrees from 0 to 360." });
 	functions.push_back({ "colorHexToS", { color }, number, color_hsv<1>, "Saturation of \"#rrggbb\", 0 to 1." });
 	functions.push_back({ "colorHexToV", { color }, number, color_hsv<2>, "Brightness (value) of \"#rrggbb\", 0 to 1." });

@@ -5,7 +5,8 @@
 #include "core/cga/functions/functions.h"
 #include "core/lang/vm.h"
 
-// String lists: items in one text, each followed by a semicolon; a missing last one is tolerated (CGA reference, section 8.1).
+// String lists: items in one text, each followed by a semicolon (CGA reference, section 8.1). Where the last one is missing, the item is there for
+// sizes and indices, but as in CityEngine's own library nothing finds it that goes by how items end; a list in which nothing is found stays as it is.
 namespace pcg::cga {
 
 namespace {
@@ -59,15 +60,24 @@ Value list_random(Vm &vm, const Args &args) {
 	return item_at(vm, items, double(vm.random().index(items.size())));
 }
 
+// Number of the first item that fits; that of items: none.
+size_t place_of(const Items &items, const Args &args) {
+	const std::string_view list = text_at(args, 0), pattern = text_at(args, 1);
+	const size_t first = size_t(std::ranges::find_if(items, [&](std::string_view item) { return fits(pattern, item); }) - items.begin());
+	const bool is_open = first + 1 == items.size() && !list.ends_with(';') && !pattern.ends_with('*');
+	return is_open ? items.size() : first;
+}
+
 Value list_index(Vm &, const Args &args) {
 	const Items items = items_at(args);
-	const auto found = std::ranges::find_if(items, [&](std::string_view item) { return fits(text_at(args, 1), item); });
-	return Value::of(found == items.end() ? -1.0 : double(found - items.begin()));
+	const size_t place = place_of(items, args);
+	return Value::of(place == items.size() ? -1.0 : double(place));
 }
 
 Value list_count(Vm &, const Args &args) {
 	const Items items = items_at(args);
-	return Value::of(double(std::ranges::count_if(items, [&](std::string_view item) { return fits(text_at(args, 1), item); })));
+	const auto from = items.begin() + long(place_of(items, args));
+	return Value::of(double(std::count_if(from, items.end(), [&](std::string_view item) { return fits(text_at(args, 1), item); })));
 }
 
 Value list_range(Vm &vm, const Args &args) {
@@ -83,23 +93,26 @@ Value list_range(Vm &vm, const Args &args) {
 
 Value list_add(Vm &vm, const Args &args) {
 	Items items = items_at(args);
-	std::string_view item = text_at(args, 1);
-	item.remove_suffix(item.ends_with(';') ? 1 : 0);
-	items.push_back(item);
+	const Items more = items_of(text_at(args, 1));
+	items.insert(items.end(), more.begin(), more.end());
 	return make_list(vm, items);
 }
 
 Value list_remove(Vm &vm, const Args &args) {
 	Items items = items_at(args);
-	const auto found = std::ranges::find_if(items, [&](std::string_view item) { return fits(text_at(args, 1), item); });
-	if (found != items.end()) {
-		items.erase(found);
+	const size_t place = place_of(items, args);
+	if (place == items.size()) {
+		return args[0];
 	}
+	items.erase(items.begin() + long(place));
 	return make_list(vm, items);
 }
 
 template <bool keeps> Value list_filter(Vm &vm, const Args &args) {
 	Items items = items_at(args);
+	if (place_of(items, args) == items.size()) {
+		return keeps ? Value::of(vm.make_text("")) : args[0];
+	}
 	std::erase_if(items, [&](std::string_view item) { return fits(text_at(args, 1), item) != keeps; });
 	return make_list(vm, items);
 }
@@ -146,7 +159,7 @@ void add_list_functions(Dialect &dialect) {
 	functions.push_back({ "listIndex", { list, item }, number, list_index, "Number of the first item that fits, or -1; * at its ends stands for anything." });
 	functions.push_back({ "listCount", { list, item }, number, list_count, "How many items fit; * at its ends stands for anything." });
 	functions.push_back({ "listRange", { list, { "from", Number }, { "to", Number } }, text, list_range, "The items from one number to before another." });
-	functions.push_back({ "listAdd", { list, item }, text, list_add, "The list with one item more." });
+	functions.push_back({ "listAdd", { list, item }, text, list_add, "The list with one item more, or with those of another list." });
 	functions.push_back({ "listRemove", { list, item }, text, list_remove, "The list without the first item that fits; * at its ends stands for anything." });
 	functions.push_back({ "listRemoveAll", { list, item }, text, list_filter<false>, "The list without all items that fit." });
 	functions.push_back({ "listRetainAll", { list, item }, text, list_filter<true>, "The items of the list that fit." });

@@ -78,7 +78,16 @@ Value find(Vm &, const Args &args) {
 	return place_of(text, at);
 }
 
-Value find_last(Vm &, const Args &args) { return place_of(text_at(args, 0), text_at(args, 0).rfind(text_at(args, 1))); }
+// Where a part begins for the last time, counted from the front: parts do not lie over each other, and an empty one is nowhere.
+size_t last_of(std::string_view text, std::string_view wanted) {
+	size_t last = std::string_view::npos;
+	for (size_t at = 0; !wanted.empty() && (at = text.find(wanted, at)) != std::string_view::npos; at += wanted.size()) {
+		last = at;
+	}
+	return last;
+}
+
+Value find_last(Vm &, const Args &args) { return place_of(text_at(args, 0), last_of(text_at(args, 0), text_at(args, 1))); }
 
 Value count(Vm &, const Args &args) {
 	const std::string_view text = text_at(args, 0), wanted = text_at(args, 1);
@@ -103,13 +112,13 @@ Value replace(Vm &vm, const Args &args) {
 
 // What is not found cuts nothing off, as in CityEngine's own library: the first item of "a" is "a".
 Value prefix(Vm &vm, const Args &args) {
-	const std::string_view text = text_at(args, 0);
-	return make(vm, text.substr(0, std::min(text.find(text_at(args, 1)), text.size())));
+	const std::string_view text = text_at(args, 0), wanted = text_at(args, 1);
+	return make(vm, wanted.empty() ? text : text.substr(0, std::min(text.find(wanted), text.size())));
 }
 
 Value suffix(Vm &vm, const Args &args) {
 	const std::string_view text = text_at(args, 0);
-	const size_t at = text.rfind(text_at(args, 1));
+	const size_t at = last_of(text, text_at(args, 1));
 	return make(vm, at == std::string_view::npos ? text : text.substr(at + text_at(args, 1).size()));
 }
 
@@ -117,7 +126,7 @@ Value suffix(Vm &vm, const Args &args) {
 Value range(Vm &vm, const Args &args) {
 	const std::string_view text = text_at(args, 0), left = text_at(args, 1), right = text_at(args, 2);
 	const size_t found = text.find(left);
-	const size_t begin = found == std::string_view::npos ? 0 : found + left.size(), end = std::min(text.rfind(right), text.size());
+	const size_t begin = found == std::string_view::npos ? 0 : found + left.size(), end = std::min(last_of(text, right), text.size());
 	return make(vm, end > begin ? text.substr(begin, end - begin) : std::string_view());
 }
 
