@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pcg::cga {
 
@@ -41,14 +42,16 @@ public:
 			  _sums(arena.allocate<Sums>(groups.size())) {}
 
 	SplitLayout run() {
+		size_t repeats = 0, repeat = 0;
 		for (size_t i = 0; i < _groups.size(); ++i) {
 			_counts[i] = 1;
 			_sums[i] = sums_of(_groups[i], _length);
-			(_groups[i].is_repeated ? _pattern : _outer) += _sums[i];
-			_repeats += _groups[i].is_repeated ? 1 : 0;
+			repeat = _groups[i].is_repeated && repeats++ == 0 ? i : repeat;
 		}
-		if (_repeats > 0) {
-			count();
+		if (repeats == 1) {
+			count_one(repeat);
+		} else if (repeats > 1) {
+			count_several();
 		}
 		place();
 		return _layout;
@@ -62,50 +65,85 @@ private:
 		}
 		return sums;
 	}
+	Sums outside(size_t repeat) const {
+		Sums sums = total();
+		sums += -double(_counts[repeat]) * _sums[repeat];
+		return sums;
+	}
 	// How much the flexible parts are stretched, 1 = not at all; negative: the fixed ones do not fit.
 	double stretch() const {
 		const Sums sums = total();
 		return (_length - sums.fixed) / sums.flexible;
 	}
 
-	// All repeats of a block come equally often, so that two around a door leave it in the middle.
-	void count() {
-		const double nominal = _pattern.fixed + _pattern.flexible;
+	void count_one(size_t repeat) {
+		const Sums pattern = _sums[repeat];
+		const Sums outer = outside(repeat);
+		const double nominal = pattern.fixed + pattern.flexible;
 		if (nominal <= 1e-9) {
-			set_counts(0.0);
+			_counts[repeat] = 0;
 			return;
 		}
-		if (_pattern.flexible == 0.0 && _outer.flexible == 0.0) { // nothing can be stretched: a single one is cut in the end
-			const double room = std::max(0.0, _length - _outer.fixed);
-			_repeat_room = _repeats == 1 ? room : _repeat_room;
-			set_counts(_repeats == 1 ? std::ceil(room / nominal - 1e-9) : std::max(1.0, std::floor(room / nominal + 1e-9)));
+		if (pattern.flexible == 0.0 && outer.flexible == 0.0) { // nothing can be stretched: the last one is cut
+			_repeat_room = std::max(0.0, _length - outer.fixed);
+			set_count(repeat, std::ceil(_repeat_room / pattern.fixed - 1e-9));
 			return;
 		}
-		const double ideal = std::clamp((_length - _outer.fixed - _outer.flexible) / nominal, 0.0, double(_max_parts) + 1.0);
-		const double least = _outer.flexible > 0.0 ? 0.0 : 1.0; // where others can fill the length alone, they may
-		const double few = std::max(least, std::floor(ideal));
-		set_counts(few);
+		const double ideal = std::clamp((_length - outer.fixed - outer.flexible) / nominal, 0.0, double(_max_parts) + 1.0);
+		const double least = outer.flexible > 0.0 ? 0.0 : 1.0; // where others can fill the length alone, they may
+		set_count(repeat, std::max(least, std::floor(ideal)));
+		const uint32_t few = _counts[repeat];
 		const double stretch_of_few = stretch();
-		set_counts(few + 1.0);
+		set_count(repeat, few + 1.0);
 		const double stretch_of_more = stretch();
-		const bool is_alone = _outer.fixed == 0.0 && _outer.flexible == 0.0;
+		if (stretch_of_more < 0.0 || std::abs(stretch_of_few - 1.0) <= std::abs(stretch_of_more - 1.0)) {
+			_counts[repeat] = few;
+		}
+		const bool is_alone = outer.fixed == 0.0 && outer.flexible == 0.0;
 		if (stretch_of_few < 0.0 && !is_alone) { // not even one fits beside the others
-			set_counts(0.0);
-		} else if (stretch_of_more < 0.0 || std::abs(stretch_of_few - 1.0) <= std::abs(stretch_of_more - 1.0)) {
-			set_counts(few);
+			_counts[repeat] = 0;
 		}
 	}
 
-	void set_counts(double count) {
-		size_t sizes = 0;
-		for (const SplitGroup &group : _groups) {
-			sizes += group.is_repeated ? group.sizes.size() : 0;
-		}
-		const double most = double(_max_parts) / double(std::max<size_t>(sizes, 1));
+	void set_count(size_t repeat, double count) {
+		const double most = double(_max_parts) / double(_groups[repeat].sizes.size());
 		_layout.is_clamped |= count > most;
-		for (size_t i = 0; i < _groups.size(); ++i) {
-			_counts[i] = _groups[i].is_repeated ? uint32_t(std::min(count, most)) : 1;
+		_counts[repeat] = uint32_t(std::min(count, most));
+	}
+
+	// How far the flexible parts are from their own sizes; where there are none, what is left empty. Infinite: they do not fit.
+	double misfit() const {
+		const Sums sums = total();
+		const double left = _length - sums.fixed;
+		if (left < -1e-9) {
+			return std::numeric_limits<double>::infinity();
 		}
+		return sums.flexible > 0.0 ? std::abs(left / sums.flexible - 1.0) : left;
+	}
+
+	// One repetition at a time to the group that has the fewest, while they fit better.
+	void count_several() {
+		double best = misfit();
+		for (uint32_t parts = 0; parts < _max_parts; ++parts) {
+			size_t fewest = _groups.size();
+			for (size_t i = 0; i < _groups.size(); ++i) {
+				const bool is_candidate = _groups[i].is_repeated && _sums[i].fixed + _sums[i].flexible > 1e-9;
+				if (is_candidate && (fewest == _groups.size() || _counts[i] < _counts[fewest])) {
+					fewest = i;
+				}
+			}
+			if (fewest == _groups.size()) {
+				return;
+			}
+			++_counts[fewest];
+			const double now = misfit();
+			if (!(now < best)) {
+				--_counts[fewest];
+				return;
+			}
+			best = now;
+		}
+		_layout.is_clamped = true;
 	}
 
 	void place() {
@@ -150,8 +188,6 @@ private:
 	Arena &_arena;
 	uint32_t *_counts; // by group
 	Sums *_sums;
-	Sums _pattern, _outer; // of all repeats, once each; of what is not repeated
-	size_t _repeats = 0;
 	double _repeat_room = 1e300; // what the repeated parts may fill
 	double _scale = 1.0;
 	double _at = 0.0;

@@ -72,7 +72,7 @@ TEST_CASE("only fixed parts in a repeat: whole patterns beside flexible ones") {
 }
 
 TEST_CASE("several repeats share the length evenly") {
-	// { ~2 }* | { ~3 }* | ~2 over 17 m: one of each is 7 m, two are 12, three 17 m: stretch 1.
+	// { ~2 }* | { ~3 }* | ~2 over 17 m: one each is 7 m; 2 + 1 -> 9, 2 + 2 -> 12, 3 + 2 -> 14, 3 + 3 -> 17 m: stretch 1.
 	CHECK(lengths({ { { flexible(2) }, true }, { { flexible(3) }, true }, { { flexible(2) }, false } }, 17) == std::vector<double>{ 2, 2, 2, 3, 3, 3, 2 });
 }
 
