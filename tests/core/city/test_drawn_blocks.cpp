@@ -191,7 +191,11 @@ TEST_CASE("curves have few corners, so that their lots have fronts") {
 
 TEST_CASE("a thousand maps of random blocks: lots and ground cover each once, and every lot has a front") {
 	size_t lots = 0, paved = 0;
+	std::vector<uint64_t> seeds{ 1536, 7294, 8135, 9558, 19023, 20468 }; // in these a cut along a side would leave a needle between lot and street
 	for (uint64_t seed = 0; seed < 1000; ++seed) {
+		seeds.push_back(seed);
+	}
+	for (const uint64_t seed : seeds) {
 		CAPTURE(seed);
 		Random random(seed);
 		std::vector<Footprint> blocks;
