@@ -1,4 +1,4 @@
-#include "core/city/footprint_layout.h"
+#include "core/city/drawn_blocks.h"
 #include "core/io/geojson.h"
 #include "fuzz/fuzz.h"
 
@@ -10,6 +10,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
 	if (footprints && footprints->size() < 50) {
 		LayoutParameters parameters;
 		layout_of_footprints(*footprints, parameters, diagnostics);
+		parameters.lot_front = 500.0f; // large maps have few lots
+		layout_of_blocks(*footprints, parameters, diagnostics);
 	}
 	to_text(diagnostics);
 	return 0;

@@ -11,8 +11,6 @@ namespace pcg {
 
 namespace {
 
-constexpr size_t max_lots = 2'000'000;
-
 template <typename T>
 bool check_limit(std::string_view name, T value, T low, T high, Diagnostics &diagnostics) {
 	if (value >= low && value <= high) { // false for NaN

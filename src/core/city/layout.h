@@ -60,7 +60,7 @@ struct CityBlock {
 	std::vector<glm::vec3> outline; // with its pavements
 };
 
-// A stretch of street from junction to junction; indices in Layout::junctions.
+// A stretch of street from junction to junction; indices in Layout::junctions. Along blocks that were drawn: one for each side, from corner to corner.
 struct Street {
 	uint32_t from = 0, to = 0;
 	float width = 0.0f; // metres, the carriageway
@@ -74,7 +74,7 @@ struct Ground {
 	GroundKind kind = GroundKind::Street;
 	std::vector<glm::vec3> polygon; // carriageways and crossings: the first edge runs along the street
 	BlockId block = BlockId::Invalid; // whose pavement this is; streets belong to none
-	uint32_t street = no_street; // on which it lies; junctions and squares lie on none
+	uint32_t street = no_street; // on which it lies; junctions (also what lies between drawn blocks) and squares lie on none
 };
 
 // A rectangle of the map. Tiles cover the city and do not overlap; ground for walking is baked tile by tile.
@@ -103,6 +103,8 @@ struct Layout {
 	const CityBlock &block(BlockId id) const { return blocks[index_of(id)]; }
 	const Lot &lot(LotId id) const { return lots[index_of(id)]; }
 };
+
+constexpr size_t max_lots = 2'000'000; // of one layout
 
 // False, and errors that name each parameter that is out of its limits.
 bool check_parameters(const LayoutParameters &parameters, Diagnostics &diagnostics);

@@ -93,15 +93,16 @@ struct Place {
 	double t;
 };
 
+glm::dvec2 point_at(const Parcel &parcel, Place place) {
+	const Edge edge = edge_of(parcel, place.edge);
+	return edge.from + (edge.to - edge.from) * place.t;
+}
+
 Parcel part_between(const Parcel &whole, Place from, Place to) {
-	const auto point = [&](Place place) {
-		const Edge edge = edge_of(whole, place.edge);
-		return edge.from + (edge.to - edge.from) * place.t;
-	};
 	Parcel part;
 	const size_t count = whole.outline.size();
 	if (from.t < 1.0) {
-		part.outline.push_back(point(from));
+		part.outline.push_back(point_at(whole, from));
 		part.street_widths.push_back(whole.street_widths[from.edge]);
 	}
 	for (size_t i = (from.edge + 1) % count;; i = (i + 1) % count) {
@@ -113,7 +114,7 @@ Parcel part_between(const Parcel &whole, Place from, Place to) {
 		part.outline.push_back(whole.outline[i]);
 		part.street_widths.push_back(whole.street_widths[i]);
 		if (i == to.edge) {
-			part.outline.push_back(point(to));
+			part.outline.push_back(point_at(whole, to));
 			part.street_widths.push_back(0.0f);
 			return part;
 		}
@@ -131,14 +132,28 @@ Place snapped(const Parcel &parcel, Place place, double snap) {
 	return place;
 }
 
+// A cut that passes a corner as near as this would leave a needle there, which shuts the lot beside it off from its street.
+bool is_clear(const Parcel &whole, Place a, Place b, double distance) {
+	const glm::dvec2 from = point_at(whole, a), along = point_at(whole, b) - from;
+	for (size_t i = 0; i < whole.outline.size(); ++i) {
+		const bool is_end = (i == a.edge && a.t <= 0.0) || (i == b.edge && b.t <= 0.0);
+		const glm::dvec2 to = whole.outline[i] - from;
+		const double t = std::clamp(glm::dot(to, along) / std::max(glm::dot(along, along), 1e-12), 0.0, 1.0);
+		if (!is_end && glm::distance(to, along * t) < distance) {
+			return false;
+		}
+	}
+	return true;
+}
+
 using Halves = std::pair<Parcel, Parcel>;
 
-// Nothing where the two places lie on one edge.
+// Nothing where the two places lie on one edge, or the cut between them would nearly touch a corner.
 std::optional<Halves> split_between(const Parcel &whole, Place a, Place b, double snap) {
 	a = snapped(whole, a, snap);
 	b = snapped(whole, b, snap);
 	Halves halves{ part_between(whole, a, b), part_between(whole, b, a) };
-	if (a.edge == b.edge || halves.first.outline.size() < 3 || halves.second.outline.size() < 3) {
+	if (a.edge == b.edge || halves.first.outline.size() < 3 || halves.second.outline.size() < 3 || !is_clear(whole, a, b, snap / 2.0)) {
 		return std::nullopt;
 	}
 	return halves;

@@ -5,12 +5,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/base/random.h"
-#include "core/city/lot_division.h"
+#include "core/city/block_division.h"
 #include "core/city/street_edges.h"
-#include "core/geometry/convex_parts.h"
-#include "core/geometry/polygon.h"
-#include "core/geometry/straight_skeleton.h"
 
 namespace pcg {
 
@@ -19,22 +15,8 @@ namespace {
 // Zebra crossings at both ends of a stretch of street; narrower where a short one leaves less.
 constexpr double crossing_width = 3.0;
 constexpr float tile_size = 80.0f; // metres, about
-constexpr double same_place = 1e-6; // metres
 
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
-
-Loop2 without_doubles(const Loop2 &loop) {
-	Loop2 kept;
-	for (const glm::dvec2 &point : loop) {
-		if (kept.empty() || glm::distance(kept.back(), point) > same_place) {
-			kept.push_back(point);
-		}
-	}
-	while (kept.size() > 1 && glm::distance(kept.back(), kept.front()) <= same_place) {
-		kept.pop_back();
-	}
-	return kept;
-}
 
 class PlanBuilder {
 public:
@@ -52,7 +34,7 @@ public:
 			add_junction(node);
 		}
 		for (const StreetPlan::Block &block : _plan.blocks) {
-			add_block(block);
+			add_block(_layout, border_of(block), _p, _p.kind == LayoutKind::Grid && block.cells == 1);
 		}
 		_layout.outline = to_ground(_edges.outline());
 		std::reverse(_layout.outline.begin(), _layout.outline.end());
@@ -62,22 +44,7 @@ public:
 	}
 
 private:
-	void add_ground(GroundKind kind, const Loop2 &loop, BlockId block, uint32_t street) {
-		const Loop2 clean = without_doubles(loop);
-		if (clean.size() < 3 || signed_area(clean) < 1e-4) {
-			return;
-		}
-		Polygons2 parts{ { clean } };
-		if (!is_convex(clean)) {
-			parts = convex_parts({ without_straight_points(clean, same_place) }, INFINITY);
-		}
-		for (const Loops2 &part : parts) {
-			if (is_valid(block)) {
-				_layout.blocks[index_of(block)].pavements.push_back(uint32_t(_layout.ground.size()));
-			}
-			_layout.ground.push_back({ kind, to_ground(part[0]), block, street });
-		}
-	}
+	void add_ground(GroundKind kind, const Loop2 &loop, uint32_t street) { pcg::add_ground(_layout, kind, loop, BlockId::Invalid, street); }
 
 	// A rectangle between its junctions; at each that joins more than two streets it begins with a crossing.
 	void add_street(uint32_t id) {
@@ -91,7 +58,7 @@ private:
 		const double last = length - (_edges.arms(street.to).size() > 2 ? zebra : 0.0);
 		const auto add = [&](GroundKind kind, double from, double to) {
 			const glm::dvec2 a = start + arm.direction * from, b = start + arm.direction * to;
-			add_ground(kind, { a - side, b - side, b + side, a + side }, BlockId::Invalid, id);
+			add_ground(kind, { a - side, b - side, b + side, a + side }, id);
 		};
 		add(GroundKind::Crossing, 0.0, first);
 		add(GroundKind::Street, first, last);
@@ -107,16 +74,11 @@ private:
 				loop.push_back(corner);
 			}
 		}
-		add_ground(GroundKind::Junction, loop, BlockId::Invalid, no_street);
+		add_ground(GroundKind::Junction, loop, no_street);
 	}
 
-	// Where a block meets its streets, and which street lies at each side. Streets that go straight on make one side.
-	struct Border {
-		Loop2 outline;
-		std::vector<uint32_t> streets;
-	};
-
-	Border border_of(const StreetPlan::Block &block) const {
+	// Streets that go straight on make one side.
+	BlockBorder border_of(const StreetPlan::Block &block) const {
 		const size_t count = block.nodes.size();
 		Loop2 corners;
 		std::vector<uint32_t> streets;
@@ -125,7 +87,7 @@ private:
 			corners.push_back(arm.corner);
 			streets.push_back(arm.street);
 		}
-		Border border;
+		BlockBorder border;
 		for (size_t i = 0; i < count; ++i) {
 			const size_t before = (i + count - 1) % count;
 			const glm::dvec2 in = glm::normalize(corners[i] - corners[before]), out = glm::normalize(corners[(i + 1) % count] - corners[i]);
@@ -135,50 +97,6 @@ private:
 			}
 		}
 		return border;
-	}
-
-	void add_block(const StreetPlan::Block &block) {
-		const Border border = border_of(block);
-		const BlockId id = BlockId(_layout.blocks.size());
-		_layout.blocks.emplace_back();
-		_layout.blocks.back().outline = to_ground(border.outline);
-		const StraightSkeleton skeleton = straight_skeleton({ border.outline }, {}, double(_p.pavement_width));
-		if (!skeleton.is_complete) {
-			add_ground(GroundKind::Pavement, border.outline, id, no_street);
-			return;
-		}
-		for (const SkeletonFace &face : skeleton.faces) {
-			Loop2 strip;
-			for (const SkeletonVertex &vertex : face.outline) {
-				strip.push_back(vertex.position);
-			}
-			add_ground(GroundKind::Pavement, strip, id, border.streets[face.edge]);
-		}
-		for (const SkeletonFront &front : skeleton.fronts) {
-			add_land(block, border, front, id);
-		}
-	}
-
-	void add_land(const StreetPlan::Block &block, const Border &border, const SkeletonFront &front, BlockId id) {
-		Parcel land;
-		const auto lowest = std::min_element(front.edges.begin(), front.edges.end()) - front.edges.begin();
-		for (size_t i = 0; i < front.points.size(); ++i) {
-			const size_t from = (i + size_t(lowest)) % front.points.size();
-			land.outline.push_back(front.points[from]);
-			land.street_widths.push_back(_plan.streets[border.streets[front.edges[from]]].width);
-		}
-		const bool is_plain = _p.kind == LayoutKind::Grid && block.cells == 1 && land.outline.size() == 4 && is_convex(land.outline);
-		const LotSize size{ double(_p.lot_front), double(_p.lot_front) * double(_p.lot_aspect), 0.5 * double(_p.jitter) };
-		const Random random(derive_seed(_p.seed, hash_text("lots")), index_of(id));
-		const std::vector<Parcel> lots = is_plain ? divide_rows(land, _p.lots_along, _p.lots_deep) : divide_land(land, size, random);
-		if (lots.empty()) {
-			add_ground(GroundKind::Pavement, land.outline, id, no_street);
-		}
-		for (const Parcel &parcel : lots) {
-			const LotId lot = LotId(_layout.lots.size());
-			_layout.blocks.back().lots.push_back(lot);
-			_layout.lots.push_back({ id, {}, to_ground(parcel.outline), parcel.street_widths, derive_seed(_p.seed, index_of(lot)), 0.0f });
-		}
 	}
 
 	const StreetPlan &_plan;

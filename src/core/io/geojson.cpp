@@ -15,6 +15,7 @@ namespace {
 constexpr double level_height = 3.0; // metres
 constexpr double tallest = 2000.0; // metres
 constexpr double largest_coordinate = 1e7;
+constexpr size_t named_features = 5; // in a message
 
 class GeoJsonReader {
 public:
@@ -107,7 +108,10 @@ private:
 		if (!rings || rings->empty()) {
 			return;
 		}
-		_holes += rings->size() - 1;
+		if (rings->size() > 1) {
+			_holes += rings->size() - 1;
+			tell_hole_of(footprint.name);
+		}
 		const auto points = rings->front().elements();
 		for (size_t i = 0; points && i < points->size(); ++i) {
 			const std::optional<glm::dvec2> point = read_point((*points)[i]);
@@ -131,6 +135,12 @@ private:
 		footprints.push_back(std::move(footprint));
 	}
 
+	void tell_hole_of(const std::string &name) {
+		if (_with_holes.empty() || _with_holes.back() != name) { // a MultiPolygon may have several
+			_with_holes.push_back(name);
+		}
+	}
+
 	static std::optional<glm::dvec2> read_point(const JsonValue &value) {
 		const auto numbers = value.elements();
 		if (!numbers) {
@@ -150,11 +160,18 @@ private:
 			root.warning("left-out", std::to_string(_other_geometries) + " features are neither Polygon nor MultiPolygon and are left out");
 		}
 		if (_holes > 0) {
-			root.warning("left-out", std::to_string(_holes) + " holes of polygons are left out: a lot has one outline");
+			std::string names;
+			for (size_t i = 0; i < std::min(named_features, _with_holes.size()); ++i) {
+				names += (i > 0 ? "; " : "") + _with_holes[i];
+			}
+			names += _with_holes.size() > named_features ? "; and " + std::to_string(_with_holes.size() - named_features) + " more" : "";
+			root.warning("left-out", std::to_string(_holes) + " holes of polygons are left out, so their ground belongs to the lot or block around: " + names,
+					"for a courtyard, cut such a polygon into parts without holes");
 		}
 	}
 
 	size_t _other_geometries = 0, _holes = 0;
+	std::vector<std::string> _with_holes; // features
 };
 
 bool are_degrees(const std::vector<Footprint> &footprints) {

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <thread>
 
+#include "core/city/drawn_blocks.h"
 #include "core/city/walkable.h"
 #include "core/io/file_assets.h"
 #include "core/io/geojson.h"
@@ -26,7 +27,7 @@ CityOptions CityJob::options() {
 }
 
 std::optional<Layout> CityJob::lay_out() {
-	if (!_input.has_footprints) {
+	if (_input.source == CityInput::Source::Streets) {
 		return make_layout(_input.layout, diagnostics);
 	}
 	std::vector<Footprint> footprints = _input.footprints;
@@ -43,12 +44,14 @@ std::optional<Layout> CityJob::lay_out() {
 		}
 		footprints.insert(footprints.end(), measured->begin(), measured->end());
 	}
+	const bool has_blocks = _input.source == CityInput::Source::Blocks;
 	if (footprints.empty()) {
-		diagnostics.error("no-footprints", "there are no footprints to lay out",
-				"name a GeoJSON file in the layout's `geojson`, or draw lots: Polygon2D or Path3D nodes below the city");
+		diagnostics.error("no-footprints", std::string("there are no ") + (has_blocks ? "blocks" : "footprints") + " to lay out",
+				std::string("name a GeoJSON file in the layout's `geojson`, or draw ") + (has_blocks ? "blocks" : "lots") +
+						": Polygon2D or Path3D nodes below the city");
 		return std::nullopt;
 	}
-	return layout_of_footprints(footprints, _input.layout, diagnostics);
+	return (has_blocks ? layout_of_blocks : layout_of_footprints)(footprints, _input.layout, diagnostics);
 }
 
 bool CityJob::grow() {

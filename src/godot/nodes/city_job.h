@@ -29,8 +29,8 @@ struct CityState {
 
 struct CityInput {
 	LayoutParameters layout;
-	// Lots that were drawn or measured, instead of a layout of streets: a file, and what stands in the scene.
-	bool has_footprints = false;
+	// Lots or blocks that were drawn or measured, instead of a layout of streets: a file, and what stands in the scene.
+	enum class Source { Streets, Lots, Blocks } source = Source::Streets;
 	std::string geojson; // a path; empty: none
 	std::vector<Footprint> footprints;
 	RulesByType rules;

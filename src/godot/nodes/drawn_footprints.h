@@ -8,7 +8,7 @@
 
 namespace pcg {
 
-// Lots that a user drew as children of `city`: Path3D, seen from above, and Polygon2D, whose x is east and y south, in metres. Their metadata
+// Lots or blocks that a user drew as children of `city`: Path3D, seen from above, and Polygon2D, whose x is east and y south, in metres. Their metadata
 // may say `lot_type` and `height`.
 std::vector<Footprint> drawn_footprints(const godot::Node3D *city);
 

@@ -26,9 +26,10 @@ Ref<PCGRuleSet> shipped_rules(const char *file) {
 bool PCGCity::prepare_job(CityInput &input, Diagnostics &diagnostics) const {
 	if (_layout.is_valid()) {
 		input.layout = _layout->parameters();
-		input.has_footprints = _layout->get_kind() == PCGLayout::KIND_FOOTPRINTS;
+		const PCGLayout::Kind kind = _layout->get_kind();
+		input.source = !_layout->is_drawn() ? CityInput::Source::Streets : kind == PCGLayout::KIND_BLOCKS ? CityInput::Source::Blocks : CityInput::Source::Lots;
 		input.geojson = from_godot(_layout->get_geojson());
-		input.footprints = input.has_footprints ? drawn_footprints(this) : std::vector<Footprint>();
+		input.footprints = _layout->is_drawn() ? drawn_footprints(this) : std::vector<Footprint>();
 	} else {
 		diagnostics.error("missing-layout", "PCGCity has no layout", "set its `layout` to a PCGLayout");
 	}

@@ -22,9 +22,10 @@ void PCGLayout::_bind_methods() {
 	BIND_ENUM_CONSTANT(KIND_RADIAL);
 	BIND_ENUM_CONSTANT(KIND_GROWN);
 	BIND_ENUM_CONSTANT(KIND_FOOTPRINTS);
+	BIND_ENUM_CONSTANT(KIND_BLOCKS);
 	ClassDB::bind_method(D_METHOD("set_kind", "kind"), &PCGLayout::set_kind);
 	ClassDB::bind_method(D_METHOD("get_kind"), &PCGLayout::get_kind);
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "kind", PROPERTY_HINT_ENUM, "Grid,Radial,Grown,Footprints"), "set_kind", "get_kind");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "kind", PROPERTY_HINT_ENUM, "Grid,Radial,Grown,Footprints,Blocks"), "set_kind", "get_kind");
 	ClassDB::bind_method(D_METHOD("set_geojson", "path"), &PCGLayout::set_geojson);
 	ClassDB::bind_method(D_METHOD("get_geojson"), &PCGLayout::get_geojson);
 	ADD_PROPERTY(PropertyInfo(Variant::STRING, "geojson", PROPERTY_HINT_FILE, "*.geojson,*.json"), "set_geojson", "get_geojson");
@@ -74,9 +75,9 @@ PCG_SETTER(removed, double, float)
 #undef PCG_SETTER
 
 void PCGLayout::set_kind(Kind p_kind) {
-	ERR_FAIL_COND_MSG(p_kind < KIND_GRID || p_kind > KIND_FOOTPRINTS, "PCGLayout: kind is KIND_GRID, KIND_RADIAL, KIND_GROWN or KIND_FOOTPRINTS.");
-	_has_footprints = p_kind == KIND_FOOTPRINTS;
-	if (!_has_footprints) {
+	ERR_FAIL_COND_MSG(p_kind < KIND_GRID || p_kind > KIND_BLOCKS, "PCGLayout: kind is KIND_GRID, KIND_RADIAL, KIND_GROWN, KIND_FOOTPRINTS or KIND_BLOCKS.");
+	_kind = p_kind;
+	if (!is_drawn()) {
 		_parameters.kind = LayoutKind(p_kind);
 	}
 	notify_property_list_changed();
@@ -90,12 +91,19 @@ void PCGLayout::set_geojson(const String &p_path) {
 
 // The inspector shows what the kind uses; all is stored.
 void PCGLayout::_validate_property(PropertyInfo &p_property) const {
-	const bool is_radial = _parameters.kind == LayoutKind::Radial, is_grid = _parameters.kind == LayoutKind::Grid;
 	const auto is = [&](const char *name) { return p_property.name == StringName(name); };
+	const bool is_of_lots = is("lot_front") || is("lot_aspect") || is("jitter");
 	const bool is_of_streets = is("rings") || is("spokes") || is("blocks_x") || is("blocks_z") || is("main_street_width") || is("lots_along") ||
-			is("lots_deep") || is("lot_front") || is("lot_aspect") || is("jitter") || is("removed");
-	if ((!is_radial && (is("rings") || is("spokes"))) || (is_radial && (is("blocks_x") || is("blocks_z"))) || (is_grid && is("main_street_width")) ||
-			(_has_footprints ? is_of_streets : is("geojson"))) {
+			is("lots_deep") || is("removed");
+	bool is_used = true;
+	switch (_kind) {
+		case KIND_GRID: is_used = !is("rings") && !is("spokes") && !is("main_street_width") && !is("geojson"); break;
+		case KIND_RADIAL: is_used = !is("blocks_x") && !is("blocks_z") && !is("geojson"); break;
+		case KIND_GROWN: is_used = !is("rings") && !is("spokes") && !is("geojson"); break;
+		case KIND_FOOTPRINTS: is_used = !is_of_streets && !is_of_lots; break;
+		case KIND_BLOCKS: is_used = !is_of_streets; break;
+	}
+	if (!is_used) {
 		p_property.usage = PROPERTY_USAGE_STORAGE;
 	}
 }
@@ -117,7 +125,7 @@ LayoutParameters PCGLayout::parameters() const {
 }
 
 int PCGLayout::get_lot_count() const {
-	if (_has_footprints) {
+	if (is_drawn()) {
 		return 0; // the city knows them
 	}
 	Diagnostics unheard;

@@ -18,10 +18,11 @@ public:
 		KIND_RADIAL = int(LayoutKind::Radial),
 		KIND_GROWN = int(LayoutKind::Grown),
 		KIND_FOOTPRINTS, // lots that were drawn or measured; there are no parameters for streets
+		KIND_BLOCKS, // blocks that were drawn or measured, to be divided into lots
 	};
 
 	void set_kind(Kind p_kind);
-	Kind get_kind() const { return _has_footprints ? KIND_FOOTPRINTS : Kind(_parameters.kind); }
+	Kind get_kind() const { return _kind; }
 	void set_geojson(const godot::String &p_path);
 	godot::String get_geojson() const { return _geojson; }
 	void set_rings(int p_count);
@@ -51,6 +52,7 @@ public:
 	void set_pavement_width(double p_metres);
 	double get_pavement_width() const { return _parameters.pavement_width; }
 
+	bool is_drawn() const { return _kind == KIND_FOOTPRINTS || _kind == KIND_BLOCKS; } // or measured
 	// Made by the layout itself; 0 where its parameters make no city.
 	int get_lot_count() const;
 	// Chooses blocks and lots for a roughly square city of about that many lots.
@@ -67,7 +69,7 @@ protected:
 
 private:
 	LayoutParameters _parameters;
-	bool _has_footprints = false;
+	Kind _kind = KIND_GRID; // of the parameters, as long as there are streets of their own
 	godot::String _geojson; // a path; empty: none
 	godot::TypedArray<PCGDistrict> _districts;
 };

@@ -74,7 +74,8 @@ TEST_CASE("each part of a MultiPolygon is a footprint, clockwise ones are turned
 	REQUIRE(footprints.has_value());
 	REQUIRE(footprints->size() == 2);
 	CHECK((*footprints)[0].outline == Loop2{ { -100, 400 }, { -1000, 400 }, { -1000, -500 } });
-	CHECK(diagnostics.warning_count() == 2);
+	REQUIRE(diagnostics.warning_count() == 2);
+	CHECK(diagnostics.list()[1].message.ends_with("1 holes of polygons are left out, so their ground belongs to the lot or block around: feature 0"));
 }
 
 TEST_CASE("malformed files are refused with the place and the number of the feature") {

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "core/cga/dialect.h"
-#include "core/city/footprint_layout.h"
+#include "core/city/drawn_blocks.h"
 #include "core/io/atomic_file.h"
 #include "core/io/city_json.h"
 #include "core/io/geojson.h"
@@ -104,6 +104,9 @@ TEST_CASE("maps of the fuzz corpus are laid out or refused") {
 		const auto footprints = parse_geojson(*text, path, diagnostics);
 		const bool is_laid_out = footprints && layout_of_footprints(*footprints, LayoutParameters(), diagnostics).has_value();
 		CHECK(is_laid_out != diagnostics.has_errors());
+		Diagnostics of_blocks;
+		const bool is_divided = footprints && layout_of_blocks(*footprints, LayoutParameters(), of_blocks).has_value();
+		CHECK(is_divided != (of_blocks.has_errors() || !footprints));
 		++count;
 	}
 	CHECK(count > 1);

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "core/city/footprint_layout.h"
+#include "core/city/lot_overlaps.h"
+
+// Where footprints lie: in tiles, so that whatever is laid over them meets few.
+namespace pcg {
+
+struct PlanBox {
+	glm::dvec2 min{ INFINITY }, max{ -INFINITY };
+
+	void add(glm::dvec2 point);
+	Loop2 outline() const { return { min, { max.x, min.y }, max, { min.x, max.y } }; }
+};
+
+// False, and errors that name each footprint that cannot be laid out, or say that all of them spread too far.
+bool check_footprints(const std::vector<Footprint> &footprints, Diagnostics &diagnostics);
+
+// Those that share ground, each pair with a warning that names both.
+std::vector<OutlineOverlap> report_overlaps(const std::vector<Footprint> &footprints, Diagnostics &diagnostics);
+
+// The type that a footprint is said to have if there are rules for it; else empty.
+std::string known_type(const Footprint &footprint, const LayoutParameters &parameters);
+
+class FootprintMap {
+public:
+	// With `around` metres of ground beyond the outermost. The footprints outlive it.
+	FootprintMap(const std::vector<Footprint> &footprints, double around);
+
+	Loop2 outline() const { return _extent.outline(); }
+	uint32_t tile_count() const { return uint32_t(_tiles.size()); }
+	Loop2 tile_outline(uint32_t tile) const;
+	const std::vector<uint32_t> &footprints_in(uint32_t tile) const { return _tiles[tile]; } // that touch it, or nearly so
+	uint32_t home_of(uint32_t footprint) const; // the tile in which its middle lies
+	bool is_built(glm::dvec2 point, uint32_t but) const; // by a footprint other than `but`
+	// What footprints leave of a tile, in convex pieces.
+	Loops2 open_ground(uint32_t tile) const;
+	// Metres from a point in a direction (unit) to the next side of a footprint; `reach` if there is none nearer.
+	double free_way(glm::dvec2 from, glm::dvec2 direction, double reach) const;
+
+private:
+	uint32_t tile_at(glm::dvec2 point) const { return cell_of(point).y * _columns + cell_of(point).x; }
+	glm::uvec2 cell_of(glm::dvec2 point) const;
+	void for_tiles(const PlanBox &box, auto action) const;
+
+	const std::vector<Footprint> &_footprints;
+	std::vector<PlanBox> _boxes;
+	PlanBox _extent;
+	uint32_t _columns = 1, _rows = 1;
+	std::vector<std::vector<uint32_t>> _tiles; // footprints
+};
+
+} // namespace pcg
