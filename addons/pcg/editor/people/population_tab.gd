@@ -143,7 +143,7 @@ func _add_row(root: TreeItem, told: Dictionary) -> void:
 	item.set_text(1, str(told["age"]))
 	item.set_text(2, told["household_type"])
 	item.set_tooltip_text(0, "Person %d, household %d, home %s" % [told["id"], told["household"], context.get_building_text(told["home"])])
-	item.set_autowrap_mode(2, TextServer.AUTOWRAP_WORD_SMART) # kinds differ in their last words
+	item.set_tooltip_text(2, told["household_type"])
 	item.set_metadata(0, told["id"])
 
 
