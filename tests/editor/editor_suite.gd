@@ -28,14 +28,16 @@ func write(path: String, text: String) -> String:
 	return path
 
 
-## Does what a user's undo does.
+## Does what a user's undo does: scripts cannot ask the engine's manager for it, which also tells of it.
 func undo(object: Object) -> void:
 	_history_of(object).undo()
+	EditorInterface.get_editor_undo_redo().version_changed.emit()
 	await frames(2)
 
 
 func redo(object: Object) -> void:
 	_history_of(object).redo()
+	EditorInterface.get_editor_undo_redo().version_changed.emit()
 	await frames(2)
 
 

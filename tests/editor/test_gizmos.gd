@@ -45,6 +45,7 @@ func test_a_corner_and_the_height_of_a_zone_are_dragged_and_undone() -> void:
 	zone.polygon = PackedVector3Array([Vector3(-2, 0, -2), Vector3(-2, 0, 2), Vector3(2, 0, 2), Vector3(2, 0, -2)])
 	var gizmo: EditorNode3DGizmo = await _add(zone)
 	check(gizmo != null, "a zone has a gizmo")
+	check_equal(gizmo.get_plugin()._get_handle_value(gizmo, 2, false), Vector3(2, 0, 2), "the engine shows the one corner")
 	_drag(gizmo, 2, Vector3(5, 0, 4))
 	check(zone.polygon[2].distance_to(Vector3(5, 0, 4)) < 0.1, "the corner follows: %s" % zone.polygon[2])
 	await undo(zone)

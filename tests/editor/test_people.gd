@@ -219,6 +219,24 @@ func test_ways_of_a_day_lie_on_the_map() -> void:
 	check(not _dock.person_tab.overlay.is_shown(), "and gone")
 
 
+func test_the_way_to_the_park_is_drawn_once_somebody_is_there() -> void:
+	var old: int = _filtered("age>=65")[0]
+	_dock.context.choose_person(old)
+	(_dock.person_tab.get_node("%Ways") as CheckBox).button_pressed = true
+	check(_dock.person_tab.find_ways().is_empty(), "where the rules lead to is not known before")
+	_citizens.jump_to(0, 9.99 * 3600.0)
+	_citizens.start()
+	for minute: int in 80:
+		_citizens.advance(60.0)
+		await frames(1)
+	var ways: Array[Dictionary] = _dock.person_tab.find_ways()
+	check(ways.size() > 0, "to the park")
+	check(_dock.person_tab.overlay.is_shown(), "they are drawn: %d" % ways.size())
+	var home: Vector3 = _city.get_building(_citizens.get_person(old)["home"])["position"]
+	check(not ways.is_empty() and home.distance_to(ways[0]["points"][0]) < 1.0, "from home")
+	(_dock.person_tab.get_node("%Ways") as CheckBox).button_pressed = false
+
+
 func test_somebody_is_picked_in_the_viewport() -> void:
 	_citizens.jump_to(0, EIGHT - 600.0)
 	_citizens.start()

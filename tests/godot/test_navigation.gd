@@ -153,3 +153,10 @@ func test_cells_are_whole_multiples_of_those_of_the_map() -> void:
 func _count_polygons(city: PCGCity) -> int:
 	return city.find_children("*", "NavigationRegion3D", true, false).reduce(
 			func(sum: int, region: NavigationRegion3D) -> int: return sum + region.navigation_mesh.get_polygon_count(), 0)
+
+
+func test_units_of_settings_are_signs_that_people_read() -> void:
+	var city := PCGCity.new()
+	var slope: Dictionary = city.get_property_list().filter(func(property: Dictionary) -> bool: return property["name"] == "agent_max_slope")[0]
+	check(str(slope["hint_string"]).ends_with("suffix:°"), "degrees: %s" % slope["hint_string"])
+	city.free()

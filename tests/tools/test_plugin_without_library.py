@@ -56,7 +56,17 @@ class PluginWithoutLibrary(unittest.TestCase):
         (self.project / "addons/pcg/bin").mkdir()
         for library in re.findall(r"addons/pcg/bin/[\w.]+", manifest):
             (self.project / library).write_bytes(b"not a library")
-        self.assert_one_message(self.open_editor(), "is there but was not loaded")
+        self.assert_one_message(self.open_editor(), "is there but was not loaded; it is damaged, or was not built for Linux")
+
+    def test_with_a_library_for_a_newer_engine_the_message_says_which(self):
+        manifest = (ROOT / "addons/pcg/pcg.gdextension").read_text()
+        newer = re.sub(r'compatibility_minimum *= *"[\d.]+"', 'compatibility_minimum = "4.99"', manifest)
+        self.assertNotEqual(newer, manifest)
+        (self.project / "addons/pcg/pcg.gdextension").write_text(newer)
+        (self.project / "addons/pcg/bin").mkdir()
+        for library in re.findall(r"addons/pcg/bin/[\w.]+", manifest):
+            (self.project / library).write_bytes(b"not a library")
+        self.assert_one_message(self.open_editor(), "it needs Godot 4.99 or newer, and this is Godot 4.")
 
 
 if __name__ == "__main__":

@@ -85,6 +85,8 @@ func show_place(path: String, line: int, column: int = 1) -> void:
 
 # Whoever lives takes rules without errors over for the next day, without being asked.
 func _on_rules_saved(path: String) -> void:
+	if context.city:
+		dock.city_tab.show_land_use()
 	for citizens: CitizenManager in context.get_users(path).filter(func(node: Node) -> bool: return node is CitizenManager):
 		if citizens.is_running() and not citizens.rules.has_errors():
 			citizens.renew_agendas()

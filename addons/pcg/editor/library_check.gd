@@ -27,8 +27,15 @@ static func explain(manifest: String) -> String:
 	if not FileAccess.file_exists(library):
 		return "PCG for Godot: its native library is missing: there is no %s. %s" % [library, REMEDY]
 	var minimum: String = str(config.get_value("configuration", "compatibility_minimum", ""))
-	return "PCG for Godot: %s is there but was not loaded; it needs Godot %s or newer on %s, and this is Godot %s. %s" % [
-		library, minimum, _platform(), Engine.get_version_info()["string"], REMEDY]
+	var reason: String = "it is damaged, or was not built for %s" % _platform()
+	if _is_older_than(minimum):
+		reason = "it needs Godot %s or newer, and this is Godot %s" % [minimum, Engine.get_version_info()["string"]]
+	return "PCG for Godot: %s is there but was not loaded; %s. %s" % [library, reason, REMEDY]
+
+
+static func _is_older_than(minimum: String) -> bool:
+	var version: Dictionary = Engine.get_version_info()
+	return int(version["major"]) * 1000 + int(version["minor"]) < minimum.get_slice(".", 0).to_int() * 1000 + minimum.get_slice(".", 1).to_int()
 
 
 static func _expected_library(config: ConfigFile) -> String:

@@ -1,7 +1,7 @@
 @tool
 extends VBoxContainer
-## The dock: a page each for the city, its people, their days, one person, and all problems. The pages' titles are buttons that wrap, because a row of tabs
-## would not fit into a narrow dock.
+## The dock: a page each for the city, its people, their days, one person, and all problems. The pages' titles are buttons with little room around their words:
+## a row of tabs would not fit into a narrow dock.
 
 const SceneContext := preload("res://addons/pcg/editor/scene_context.gd")
 const CityTab := preload("res://addons/pcg/editor/city/city_tab.gd")
@@ -10,6 +10,9 @@ const SimulationTab := preload("res://addons/pcg/editor/simulation/simulation_ta
 const PersonTab := preload("res://addons/pcg/editor/person/person_tab.gd")
 const ProblemList := preload("res://addons/pcg/editor/problems/problem_list.gd")
 const ProblemCollector := preload("res://addons/pcg/editor/problems/problem_collector.gd")
+
+const WIDTH := 340.0 ## pixels at 100 %, the least
+const TITLE_MARGIN := 3.0 ## pixels at 100 %, on each side of a title
 
 ## A message or an agenda entry is about a place in a file.
 signal place_wanted(path: String, line: int, column: int)
@@ -36,6 +39,24 @@ func _ready() -> void:
 		button.theme_type_variation = &"FlatButton"
 		button.pressed.connect(show_page.bind(index))
 		%Titles.add_child(button)
+	_take_theme()
+
+
+func _notification(what: int) -> void:
+	if what == NOTIFICATION_THEME_CHANGED and is_node_ready():
+		_take_theme()
+
+
+func _take_theme() -> void:
+	for state: String in ["normal", "hover", "pressed", "hover_pressed", "disabled", "focus"]:
+		var narrow: StyleBox = get_theme_stylebox(state, &"FlatButton").duplicate()
+		narrow.content_margin_left = TITLE_MARGIN * EditorInterface.get_editor_scale()
+		narrow.content_margin_right = narrow.content_margin_left
+		for button: Button in %Titles.get_children():
+			button.add_theme_stylebox_override(state, narrow)
+	for state: String in ["normal", "hover", "pressed", "hover_pressed", "focus"]: # the mark of a problem keeps its colour
+		for button: Button in %Titles.get_children():
+			button.add_theme_color_override("icon_%s_color" % state, Color.WHITE)
 
 
 func show_page(index: int) -> void:
@@ -45,7 +66,7 @@ func show_page(index: int) -> void:
 
 func open(of: SceneContext) -> void:
 	context = of
-	custom_minimum_size.x = 330.0 * EditorInterface.get_editor_scale()
+	custom_minimum_size.x = WIDTH * EditorInterface.get_editor_scale()
 	city_tab.open(context)
 	population_tab.open(context)
 	simulation_tab.open(context)
@@ -68,7 +89,9 @@ func forget_rule_diagnostics(path: String) -> void:
 func _on_problems_changed(diagnostics: Array[Dictionary]) -> void:
 	problems.show_diagnostics(diagnostics)
 	var title: Button = %Titles.get_child(pages.get_tab_idx_from_control(problems))
-	title.text = "Problems" if diagnostics.is_empty() else "Problems (%d)" % diagnostics.size()
+	var errors: int = diagnostics.reduce(func(sum: int, entry: Dictionary) -> int: return sum + int(entry["severity"] == "error"), 0)
+	title.icon = null if diagnostics.is_empty() else get_theme_icon("StatusError" if errors > 0 else "StatusWarning", "EditorIcons")
+	title.tooltip_text = "" if diagnostics.is_empty() else "%d errors, %d warnings" % [errors, diagnostics.size() - errors]
 
 
 func _on_problem_activated(diagnostic: Dictionary) -> void:

@@ -2,6 +2,8 @@
 extends Node
 ## What the docks are about: the city and the citizens of the edited scene, and the person that somebody looks at.
 
+const CityStarter := preload("res://addons/pcg/editor/city/city_starter.gd")
+
 ## The city, the citizens or the scene are others than before.
 signal changed
 signal person_chosen(person: int)
@@ -17,6 +19,7 @@ var person := -1
 var viewport: Viewport ## of the editor, that somebody looked into last
 var _household_types := PackedStringArray() # by row of the table
 var _table: PCGHouseholdTable
+var _shipped_streets: PCGRuleSet # of cities that name none
 var _city_id := 0
 var _citizens_id := 0
 
@@ -186,12 +189,20 @@ func _on_node_changed(node: Node) -> void:
 		refresh.call_deferred()
 
 
+## What builds a city's streets: the rules that it names, else those that ship, whether it uses them now or not. Null if there are none.
+func get_street_rules(of: PCGCity) -> PCGRuleSet:
+	var shipped: String = CityStarter.find_rules().path_join("cga/street.cga")
+	if _shipped_streets == null and FileAccess.file_exists(shipped):
+		_shipped_streets = load(shipped)
+	return of.street_rules if of.street_rules else _shipped_streets
+
+
 ## Nodes of the scene that use a rule file, directly or by import.
 func get_users(path: String) -> Array[Node]:
 	var users: Array[Node] = []
 	for node: Node in _find_all("PCGCity"):
 		var city := node as PCGCity
-		if _uses(city.street_rules, path) or city.lot_types.any(func(type: PCGLotType) -> bool: return type != null and _uses(type.rules, path)):
+		if city.use_street_rules and _uses(get_street_rules(city), path) or city.lot_types.any(func(type: PCGLotType) -> bool: return type != null and _uses(type.rules, path)):
 			users.append(node)
 	for node: Node in _find_all("CitizenManager"):
 		if _uses((node as CitizenManager).rules, path):

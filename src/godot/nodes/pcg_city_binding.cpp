@@ -66,7 +66,7 @@ void PCGCity::bind_navigation() {
 			"get_agent_max_climb");
 	ClassDB::bind_method(D_METHOD("set_agent_max_slope", "degrees"), &PCGCity::set_agent_max_slope);
 	ClassDB::bind_method(D_METHOD("get_agent_max_slope"), &PCGCity::get_agent_max_slope);
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "agent_max_slope", PROPERTY_HINT_RANGE, "0,90,0.5,suffix:°"), "set_agent_max_slope",
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "agent_max_slope", PROPERTY_HINT_RANGE, String::utf8("0,90,0.5,suffix:°")), "set_agent_max_slope",
 			"get_agent_max_slope");
 }
 

@@ -147,6 +147,20 @@ func test_no_word_of_the_dock_is_cut_off() -> void:
 	check(_has_been_cut(), "what is cut off is found")
 
 
+func test_the_titles_of_the_pages_stand_in_one_row() -> void:
+	await _make_city()
+	get_authoring().rules.open(write(RULE, GOOD.replace("extrude", "extrud")))
+	await _show(get_authoring().dock)
+	var dock: Authoring.PCGDock = get_authoring().dock
+	var titles: Array = dock.get_node("%Titles").get_children()
+	check((titles[-1] as Button).icon != null, "there are problems")
+	var needed: float = titles.reduce(func(sum: float, title: Button) -> float: return sum + title.get_combined_minimum_size().x, 0.0)
+	needed += (titles.size() - 1) * (dock.get_node("%Titles") as Control).get_theme_constant("h_separation")
+	check(needed <= dock.custom_minimum_size.x, "in the least width: %d of %d pixels" % [needed, dock.custom_minimum_size.x])
+	check((titles[0] as Control).position.y == (titles[-1] as Control).position.y, "and are seen so")
+	get_authoring().rules.close_current()
+
+
 func _has_been_cut() -> bool:
 	var holder: Control = get_authoring().dock
 	var button := Button.new()

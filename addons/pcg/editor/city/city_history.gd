@@ -3,6 +3,9 @@ extends RefCounted
 ## Makes generating a step that can be undone. Cities are not kept: the same seed, layout and rules give the same city, so it is enough to remember
 ## what a city was made of, and to make it again.
 
+## Of a city, beside its types of lots and its layout; lists and dictionaries are copied.
+const SETTINGS: Array[StringName] = [&"seed", &"layout", &"lot_types", &"street_rules", &"street_attributes", &"use_street_rules", &"asset_folders",
+		&"agent_height", &"agent_radius", &"agent_max_climb", &"agent_max_slope", &"cell_size", &"use_collision", &"collision_layer", &"collision_mask"]
 const SceneContext := preload("res://addons/pcg/editor/scene_context.gd")
 
 var _context: SceneContext
@@ -79,7 +82,11 @@ static func describe(city: PCGCity) -> Dictionary:
 	for type: PCGLotType in city.lot_types:
 		if type:
 			types.append({"self": type, "values": _stored_values(type)})
-	return {"seed": city.seed, "layout": city.layout, "lot_types": city.lot_types.duplicate(), "layout_values": _stored_values(city.layout), "types": types}
+	var settings: Dictionary = {}
+	for property: StringName in SETTINGS:
+		var value: Variant = city.get(property)
+		settings[property] = value.duplicate() if value is Array or value is Dictionary else value
+	return {"settings": settings, "layout_values": _stored_values(city.layout), "types": types}
 
 
 static func _stored_values(resource: Resource) -> Dictionary:
@@ -102,9 +109,7 @@ func make(city: PCGCity, steps: Array) -> void:
 		_context.changed.emit()
 		return
 	var described: Dictionary = steps[0]
-	city.seed = described["seed"]
-	city.layout = described["layout"]
-	city.lot_types = described["lot_types"]
+	_give_values(city, described["settings"])
 	_give_values(city.layout, described["layout_values"])
 	_give_types(described)
 	if not city.city_generated.is_connected(_make_later_steps):
@@ -128,6 +133,6 @@ static func _give_types(described: Dictionary) -> void:
 		_give_values(type["self"], type["values"])
 
 
-static func _give_values(resource: Resource, values: Dictionary) -> void:
-	for property: String in values:
-		resource.set(property, values[property])
+static func _give_values(object: Object, values: Dictionary) -> void:
+	for property: StringName in values:
+		object.set(property, values[property])

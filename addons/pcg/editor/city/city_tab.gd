@@ -13,10 +13,12 @@ var context: SceneContext
 var history: CityHistory
 @onready var _layout_inspector := EditorInspector.new()
 @onready var _attribute_inspector := EditorInspector.new()
+@onready var _city_inspector := EditorInspector.new()
 # Inspectors do not keep what they show, and refer to it once more when they show something else.
 var _attributes: RuleAttributes
 var _layout: PCGLayout
 var _shown_city: PCGCity
+var _shown_land_use: Array = []
 
 @onready var _seed: SpinBox = %Seed
 @onready var _land_use: LandUse = %LandUse
@@ -28,6 +30,8 @@ func open(of: SceneContext) -> void:
 	history = CityHistory.new(context)
 	_land_use.context = context
 	context.changed.connect(refresh)
+	context.get_undo().history_changed.connect(_on_step, CONNECT_DEFERRED)
+	context.get_undo().version_changed.connect(_on_step, CONNECT_DEFERRED)
 	refresh()
 
 
@@ -40,9 +44,10 @@ func _ready() -> void:
 	(%Dice as Button).pressed.connect(throw_dice)
 	_seed.value_changed.connect(_on_seed_changed)
 	_cities.item_selected.connect(func(index: int) -> void: context.show_city(context.get_cities()[index]))
-	_land_use.type_chosen.connect(show_attributes)
+	_land_use.subject_chosen.connect(show_attributes)
 	_add_inspector(%Layout, _layout_inspector)
 	_add_inspector(%Attributes, _attribute_inspector)
+	_add_inspector(%Settings, _city_inspector)
 	_take_theme()
 
 
@@ -73,8 +78,8 @@ func refresh() -> void:
 	(%Empty as Control).visible = city == null
 	(%Content as Control).visible = city != null
 	_attribute_inspector.edit(null)
-	_layout_inspector.edit(city.layout if city else null)
-	_layout = city.layout if city else null
+	_city_inspector.edit(city)
+	_show_layout(city.layout if city else null)
 	if city == null:
 		return
 	_cities.clear()
@@ -84,11 +89,55 @@ func refresh() -> void:
 			_cities.select(_cities.item_count - 1)
 	_cities.visible = _cities.item_count > 1
 	_seed.set_value_no_signal(city.seed)
-	var shown: PCGLotType = _attributes.lot_type if _attributes else null
-	_land_use.refresh()
-	show_attributes(shown if shown in city.lot_types else null)
+	show_land_use()
 	show_statistics()
 	_show_progress(city.is_generating())
+
+
+# An inspector must not show what is gone.
+func _let_go() -> void:
+	_city_inspector.edit(null)
+	if _attributes and _attributes.subject is PCGCity:
+		show_attributes(null)
+
+
+func _show_layout(layout: PCGLayout) -> void:
+	_layout = layout
+	_layout_inspector.edit(layout)
+	_layout_inspector.visible = layout != null
+	(%LayoutText as Label).visible = layout == null
+
+
+## Shows types of lots, streets and what their rules have now, as after rules were saved.
+func show_land_use() -> void:
+	var shown: Object = _attributes.subject if _attributes else null
+	_shown_land_use = _describe_land_use()
+	_land_use.refresh()
+	if shown == null or shown != context.city and not shown in context.city.lot_types:
+		show_attributes(null)
+	elif _land_use.get_chosen() != shown:
+		show_attributes(shown)
+
+
+# What decides which rows and which attributes there are.
+func _describe_land_use() -> Array:
+	var described: Array = [context.city, context.city.street_rules, context.city.use_street_rules]
+	for type: PCGLotType in context.city.lot_types:
+		described.append([type, type.type, type.weight, type.rules] if type else null)
+	return described
+
+
+# Settings change here, in the engine's own inspector, and where a step is undone.
+func _on_step() -> void:
+	if context.city == null:
+		return
+	_seed.set_value_no_signal(context.city.seed)
+	if context.city.layout != _layout:
+		_show_layout(context.city.layout)
+	if _describe_land_use() != _shown_land_use:
+		show_land_use()
+	elif _attributes:
+		_attributes.notify_property_list_changed()
 
 
 func _follow(city: PCGCity) -> void:
@@ -96,10 +145,14 @@ func _follow(city: PCGCity) -> void:
 		_shown_city.generation_progressed.disconnect(_on_progress)
 		_shown_city.city_generated.disconnect(_on_generated)
 		_shown_city.city_cleared.disconnect(show_statistics)
+		_shown_city.tree_exiting.disconnect(_let_go)
+		_shown_city.tree_entered.disconnect(_city_inspector.edit)
 	if city and city != _shown_city:
 		city.generation_progressed.connect(_on_progress)
 		city.city_generated.connect(_on_generated)
 		city.city_cleared.connect(show_statistics)
+		city.tree_exiting.connect(_let_go)
+		city.tree_entered.connect(_city_inspector.edit.bind(city))
 	_shown_city = city
 
 
@@ -146,20 +199,18 @@ func _on_seed_changed(value: float) -> void:
 	undo.create_action("Set the city's seed", UndoRedo.MERGE_ENDS, context.city)
 	undo.add_do_property(context.city, &"seed", int(value))
 	undo.add_undo_property(context.city, &"seed", context.city.seed)
-	undo.add_do_method(self, &"refresh")
-	undo.add_undo_method(self, &"refresh")
 	undo.commit_action()
 
 
-## Shows the attributes of a lot type's rules; null shows none.
-func show_attributes(type: PCGLotType) -> void:
-	var attributes := RuleAttributes.new(type)
-	_attribute_inspector.visible = not attributes.is_empty()
+## Shows the attributes of a lot type's rules, or for a city those of its streets; null shows none.
+func show_attributes(subject: Object) -> void:
+	var attributes := RuleAttributes.new(subject, _land_use.get_rules(subject))
+	_attribute_inspector.visible = subject != null
 	var told: Label = %AttributesText
 	told.text = "What has an arrow is set here; the rest shows what the rules say." if not attributes.is_empty() else "These rules have no attributes."
-	if type == null:
-		told.text = "Choose a type of lot to see the attributes of its rules."
-	_attribute_inspector.edit(null if attributes.is_empty() else attributes)
+	if subject == null:
+		told.text = "Choose a type of lot, or the streets, to see the attributes of its rules."
+	_attribute_inspector.edit(attributes if subject else null)
 	_attributes = attributes
 
 

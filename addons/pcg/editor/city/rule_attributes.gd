@@ -1,27 +1,48 @@
 @tool
 extends RefCounted
-## The attributes of a lot type's rules as properties, so that the engine's inspector shows them: annotations become ranges, lists, colours and
-## groups. Each shows what the rules say until it is set here, and can be reverted to that. What they draw or compute for each lot is no value but a text,
-## as it is written; a value that is put in its place sets the attribute.
+## The attributes of the rules of a lot type, or of a city's streets, as properties, so that the engine's inspector shows them: annotations become ranges,
+## lists, colours and groups. Each shows what the rules say until it is set here, and can be reverted to that. What they draw or compute for each lot is no value but a text,
+## as it is written; a value that is put in its place sets the attribute. What else a lot type has beside its weight and rules stands before them.
 
-var lot_type: PCGLotType
+const OF_LOTS: Dictionary[StringName, Dictionary] = {
+	&"lot/type": {"type": TYPE_STRING, "of": &"type"},
+	&"lot/weight_map": {"type": TYPE_OBJECT, "hint": PROPERTY_HINT_RESOURCE_TYPE, "hint_string": "Texture2D", "of": &"weight_map", "none": null},
+	&"lot/start_rule": {"type": TYPE_STRING, "of": &"start_rule", "none": ""},
+} ## how each is shown, what the lot type calls it, and what it is where nothing is set; no attribute of rules has a slash in its name
+
+## A PCGLotType, or the PCGCity whose streets these are; null: nobody, or a city that is gone (steps to undo live longer).
+var subject: Object:
+	get:
+		return subject if is_instance_valid(subject) else null
+var rules: PCGRuleSet
+var _holder := &"" # the subject's property that has the values that are set
 var _entries: Dictionary[StringName, Dictionary] = {} # name to { property, default }
 
 
-func _init(of: PCGLotType) -> void:
-	lot_type = of
-	if lot_type and lot_type.rules:
-		_read(lot_type.rules.get_attributes())
+func _init(of: Object, built_by: PCGRuleSet) -> void:
+	subject = of
+	rules = built_by
+	_holder = &"street_attributes" if subject is PCGCity else &"attributes"
+	if subject and rules:
+		_read(rules.get_attributes())
+
+
+func _set_values() -> Dictionary:
+	return subject.get(_holder)
 
 
 func is_empty() -> bool:
 	return _entries.is_empty()
 
 
+func _has(name: StringName) -> bool:
+	return subject != null and _entries.has(name)
+
+
 # A group holds for the attributes behind it, until the next one.
 func _read(attributes: Array[Dictionary]) -> void:
 	var group := ""
-	var own_file: String = lot_type.rules.get_file()
+	var own_file: String = rules.get_file()
 	for attribute: Dictionary in attributes:
 		var annotations: Dictionary = attribute["annotations"]
 		group = annotations["Group"][0] if annotations.has("Group") and not annotations["Group"].is_empty() else group
@@ -94,8 +115,11 @@ static func _or(text: String, otherwise: String) -> String:
 
 func _get_property_list() -> Array[Dictionary]:
 	var list: Array[Dictionary] = []
+	for name: StringName in OF_LOTS:
+		if subject is PCGLotType:
+			list.append(OF_LOTS[name].merged({"name": name, "usage": PROPERTY_USAGE_EDITOR}))
 	var group := ""
-	for name: StringName in _entries:
+	for name: StringName in _entries if subject else ({} as Dictionary[StringName, Dictionary]):
 		if _entries[name]["group"] != group:
 			group = _entries[name]["group"]
 			list.append({"name": group, "type": TYPE_NIL, "usage": PROPERTY_USAGE_GROUP, "hint_string": ""})
@@ -108,39 +132,49 @@ func _shown_property(name: StringName) -> Dictionary:
 	if _get(name) is String and property["type"] != TYPE_STRING:
 		var suggestions: String = "true,false" if property["type"] == TYPE_BOOL else ""
 		property.merge({"type": TYPE_STRING, "hint": PROPERTY_HINT_ENUM_SUGGESTION if not suggestions.is_empty() else PROPERTY_HINT_NONE, "hint_string": suggestions}, true)
-	elif property["hint"] == PROPERTY_HINT_ENUM and not lot_type.attributes.has(String(name)) and _plain_default(name) == null:
+	elif property["hint"] == PROPERTY_HINT_ENUM and not _set_values().has(String(name)) and _plain_default(name) == null:
 		property["hint"] = PROPERTY_HINT_ENUM_SUGGESTION
 	return property
 
 
 func _get(name: StringName) -> Variant:
-	if not _entries.has(name):
+	if OF_LOTS.has(name):
+		return subject.get(OF_LOTS[name]["of"])
+	if not _has(name):
 		return null
-	var value: Variant = lot_type.attributes.get(String(name), _plain_default(name))
+	var value: Variant = _set_values().get(String(name), _plain_default(name))
 	if value == null:
 		return _entries[name]["default"]
 	return Color(str(value)) if _entries[name]["property"]["type"] == TYPE_COLOR else value
 
 
 func _set(name: StringName, value: Variant) -> bool:
-	if not _entries.has(name):
+	if OF_LOTS.has(name):
+		subject.set(OF_LOTS[name]["of"], value)
+		EditorInterface.mark_scene_as_unsaved()
+		return true
+	if not _has(name):
 		return false
-	var attributes: Dictionary = lot_type.attributes.duplicate()
+	var attributes: Dictionary = _set_values().duplicate()
 	attributes.erase(String(name))
 	var written: Variant = _read_value(name, value)
 	if written != null and written != _read_value(name, _property_get_revert(name)):
 		attributes[String(name)] = written
-	lot_type.attributes = attributes
+	subject.set(_holder, attributes)
 	EditorInterface.mark_scene_as_unsaved()
 	notify_property_list_changed()
 	return true
 
 
 func _property_can_revert(name: StringName) -> bool:
-	return _entries.has(name) and lot_type.attributes.has(String(name))
+	if OF_LOTS.has(name):
+		return OF_LOTS[name].has("none") and _get(name) != OF_LOTS[name]["none"]
+	return _has(name) and _set_values().has(String(name))
 
 
 func _property_get_revert(name: StringName) -> Variant:
+	if OF_LOTS.has(name):
+		return OF_LOTS[name].get("none")
 	var default: Variant = _plain_default(name)
 	if default == null:
 		return _entries[name]["default"]

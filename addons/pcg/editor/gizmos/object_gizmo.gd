@@ -41,8 +41,8 @@ func _get_handle_name(_gizmo: EditorNode3DGizmo, id: int, _secondary: bool) -> S
 	return ("place %d" if id % 2 == 0 else "direction of place %d") % (id / 2)
 
 
-func _get_handle_value(gizmo: EditorNode3DGizmo, _id: int, _secondary: bool) -> Variant:
-	return (gizmo.get_node_3d() as PCGObject).places.duplicate()
+func _get_handle_value(gizmo: EditorNode3DGizmo, id: int, _secondary: bool) -> Variant:
+	return (gizmo.get_node_3d() as PCGObject).places[id / 2]
 
 
 func _set_handle(gizmo: EditorNode3DGizmo, id: int, _secondary: bool, camera: Camera3D, mouse: Vector2) -> void:
@@ -59,5 +59,7 @@ func _set_handle(gizmo: EditorNode3DGizmo, id: int, _secondary: bool, camera: Ca
 	object.update_gizmos()
 
 
-func _commit_handle(gizmo: EditorNode3DGizmo, _id: int, _secondary: bool, before: Variant, is_cancelled: bool) -> void:
-	commit_property("Change where the object is used", gizmo.get_node_3d(), &"places", before, is_cancelled)
+func _commit_handle(gizmo: EditorNode3DGizmo, id: int, _secondary: bool, before: Variant, is_cancelled: bool) -> void:
+	var places: Array[Transform3D] = (gizmo.get_node_3d() as PCGObject).places.duplicate()
+	places[id / 2] = before
+	commit_property("Change where the object is used", gizmo.get_node_3d(), &"places", places, is_cancelled)

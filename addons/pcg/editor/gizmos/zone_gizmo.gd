@@ -48,7 +48,7 @@ func _get_handle_name(gizmo: EditorNode3DGizmo, id: int, _secondary: bool) -> St
 
 func _get_handle_value(gizmo: EditorNode3DGizmo, id: int, _secondary: bool) -> Variant:
 	var zone: PCGZone = gizmo.get_node_3d() as PCGZone
-	return zone.height if _is_height(zone, id) else zone.polygon
+	return zone.height if _is_height(zone, id) else zone.polygon[id] # the engine shows it below the viewport
 
 
 func _set_handle(gizmo: EditorNode3DGizmo, id: int, _secondary: bool, camera: Camera3D, mouse: Vector2) -> void:
@@ -64,4 +64,9 @@ func _set_handle(gizmo: EditorNode3DGizmo, id: int, _secondary: bool, camera: Ca
 
 func _commit_handle(gizmo: EditorNode3DGizmo, id: int, _secondary: bool, before: Variant, is_cancelled: bool) -> void:
 	var zone: PCGZone = gizmo.get_node_3d() as PCGZone
-	commit_property("Change the zone", zone, &"height" if _is_height(zone, id) else &"polygon", before, is_cancelled)
+	if _is_height(zone, id):
+		commit_property("Change the zone", zone, &"height", before, is_cancelled)
+		return
+	var polygon: PackedVector3Array = zone.polygon
+	polygon[id] = before
+	commit_property("Change the zone", zone, &"polygon", polygon, is_cancelled)

@@ -12,6 +12,7 @@ const PathOverlay := preload("res://addons/pcg/editor/person/path_overlay.gd")
 const LifeRecorder := preload("res://addons/pcg/editor/person/life_recorder.gd")
 const AgendaHistory := preload("res://addons/pcg/editor/person/agenda_history.gd")
 const EntryDialog := preload("res://addons/pcg/editor/person/entry_dialog.gd")
+const SECONDS_PER_HOUR := 3600.0
 const ADULT_AGE := 18 ## of words: a boy, a man
 
 var context: SceneContext
@@ -72,7 +73,8 @@ func _exit_tree() -> void:
 
 
 func _process(_delta: float) -> void:
-	recorder.note()
+	if recorder.note():
+		show_ways()
 	if is_visible_in_tree() and context and context.has_person():
 		if context.citizens.day != _day:
 			_show_days()
@@ -229,19 +231,31 @@ static func _word_for(told: Dictionary) -> String:
 	return told["gender"]
 
 
-## The ways between the buildings of the day that the clock shows: dictionaries with `points` and `hour`.
+## The ways of the day that the clock shows: between the buildings that are planned, and the places outdoors where the person was seen. Dictionaries with
+## `points` and `hour`.
 func find_ways() -> Array[Dictionary]:
 	var ways: Array[Dictionary] = []
-	var here: int = context.citizens.get_person(context.person)["home"]
-	for entry: Dictionary in context.citizens.get_agenda(context.person, context.citizens.day):
-		if entry["kind"] not in ["stayInside", "goToBuilding"] or entry["target"] == here:
-			continue
-		var from: Dictionary = context.get_building(here)
-		var to: Dictionary = context.get_building(entry["target"])
-		if not from.is_empty() and not to.is_empty():
-			ways.append({"points": context.city.find_path(from["position"], to["position"]), "hour": float(entry["start"]) / 3600.0})
-		here = entry["target"]
+	var here: Dictionary = context.get_building(context.citizens.get_person(context.person)["home"])
+	for stop: Dictionary in _find_stops():
+		if not here.is_empty() and stop["position"] != here["position"]:
+			ways.append({"points": context.city.find_path(here["position"], stop["position"]), "hour": float(stop["time"]) / SECONDS_PER_HOUR})
+		here = stop
 	return ways
+
+
+# Where rules lead people outdoors is known only once they are there.
+func _find_stops() -> Array[Dictionary]:
+	var stops: Array[Dictionary] = []
+	for entry: Dictionary in context.citizens.get_agenda(context.person, context.citizens.day):
+		var building: Dictionary = context.get_building(entry["target"]) if entry["kind"] in ["stayInside", "goToBuilding"] else {}
+		if not building.is_empty():
+			stops.append({"time": float(entry["start"]), "position": building["position"]})
+	var midnight: float = context.citizens.day * LifeRecorder.DAY
+	for stop: Dictionary in recorder.stops:
+		if stop["time"] >= midnight and stop["time"] < midnight + LifeRecorder.DAY:
+			stops.append({"time": stop["time"] - midnight, "position": stop["position"]})
+	stops.sort_custom(func(one: Dictionary, other: Dictionary) -> bool: return one["time"] < other["time"])
+	return stops
 
 
 func show_ways() -> void:

@@ -14,6 +14,8 @@ var _followed: Dictionary[int, bool] = {} # instance ids of nodes whose signals 
 func _init(context: SceneContext) -> void:
 	_context = context
 	_context.changed.connect(collect)
+	_context.get_undo().history_changed.connect(collect)
+	_context.get_undo().version_changed.connect(collect)
 
 
 ## What an editor says of a file goes before what was loaded of it.
@@ -33,15 +35,26 @@ func collect() -> void:
 		found.append_array(_of_files[path])
 	if _context.city:
 		_follow(_context.city, &"city_generated")
-		for type: PCGLotType in _context.city.lot_types:
-			if type and type.rules and not _of_files.has(type.rules.get_file()):
-				_append(found, type.rules.get_diagnostics(), _context.city)
+		for rules: PCGRuleSet in _find_rules(_context.city):
+			if not _of_files.has(rules.get_file()):
+				_append(found, rules.get_diagnostics(), _context.city)
 		_append(found, _context.city.get_diagnostics(), _context.city)
 	if _context.citizens:
 		_follow(_context.citizens, &"population_generated")
 		_append_inputs(found, _context.citizens)
 		_append(found, _context.citizens.get_diagnostics(), _context.citizens)
 	problems_changed.emit(_without_doubles(found))
+
+
+# What builds a city's lots and streets.
+func _find_rules(city: PCGCity) -> Array[PCGRuleSet]:
+	var found: Array[PCGRuleSet] = []
+	for type: PCGLotType in city.lot_types:
+		if type and type.rules:
+			found.append(type.rules)
+	if city.use_street_rules and _context.get_street_rules(city):
+		found.append(_context.get_street_rules(city))
+	return found
 
 
 func _append_inputs(found: Array[Dictionary], citizens: CitizenManager) -> void:
