@@ -1,12 +1,10 @@
 #include "core/navigation/corner_graph.h"
 
-#include <bit>
 #include <cmath>
-#include <unordered_map>
 #include <utility>
 
+#include "core/base/hash_index.h"
 #include "core/base/parallel.h"
-#include "core/base/random.h"
 #include "core/navigation/landmarks.h"
 #include "core/navigation/nav_mesh.h"
 
@@ -25,11 +23,11 @@ constexpr size_t cones_of_late_look = 32;
 // Looks out of some corners, one after the other, within the bounds above.
 class Lookout {
 public:
-	Lookout(const NavMesh &mesh, const Corners &corners) : _sight(mesh, corners) {}
+	Lookout(const NavMesh &mesh, const Corners &corners, const CornerPolygons &polygons) : _sight(mesh, corners), _polygons(polygons) {}
 
 	std::span<const SeenCorner> look(uint32_t corner) {
 		_sight.limit(_used < cones_of_batch ? Sight::most_cones : cones_of_late_look);
-		const std::span<const SeenCorner> seen = _sight.look(corner);
+		const std::span<const SeenCorner> seen = _sight.look(corner, _polygons.of(corner));
 		_used += _sight.cone_count();
 		return seen;
 	}
@@ -37,6 +35,7 @@ public:
 
 private:
 	Sight _sight;
+	const CornerPolygons &_polygons;
 	size_t _used = 0;
 };
 
@@ -92,13 +91,14 @@ bool CornerGraph::Extent::is_near(const PlanBox &box) const {
 
 struct CornerGraph::Builder {
 	const NavMesh &mesh;
+	const CornerPolygons &polygons;
 	CornerGraph &graph;
 	Walks walks;
 
 	void run() {
 		look_out();
 		graph.set_walks(thin());
-		graph.measure_far(mesh, [this](size_t, uint32_t landmark) { return walk_costs(graph, landmark); });
+		graph.measure_far(mesh, polygons, [this](size_t, uint32_t landmark) { return walk_costs(graph, landmark); });
 	}
 
 	void look_out() {
@@ -106,7 +106,7 @@ struct CornerGraph::Builder {
 		walks.resize(corners.count());
 		graph._extents.resize(corners.count());
 		in_batches(corners.count(), [&](size_t first, size_t end) {
-			Lookout lookout(mesh, corners);
+			Lookout lookout(mesh, corners, polygons);
 			for (size_t corner = first; corner < end; ++corner) {
 				const std::span<const SeenCorner> seen = lookout.look(uint32_t(corner));
 				graph._extents[corner] = Extent(lookout.sight());
@@ -151,6 +151,7 @@ struct CornerGraph::Builder {
 // those to fresh ones: only between two fresh ones has to be looked anew.
 struct CornerGraph::Updater {
 	const NavMesh &mesh;
+	const CornerPolygons &polygons;
 	const CornerGraph &before;
 	std::span<const PlanBox> changed;
 	CornerGraph &graph;
@@ -169,27 +170,27 @@ struct CornerGraph::Updater {
 		look_out();
 		thin();
 		graph.set_walks(walks);
-		graph.measure_far(mesh, [this](size_t index, uint32_t landmark) { return measure(index, landmark); });
+		graph.measure_far(mesh, polygons, [this](size_t index, uint32_t landmark) { return measure(index, landmark); });
 		return true;
 	}
 
 	// Corners in the same place, to the bit.
 	void match() {
-		const auto key_of = [](glm::vec3 p) { return mix64(uint64_t(std::bit_cast<uint32_t>(p.x)) << 32 | std::bit_cast<uint32_t>(p.z)) ^ std::bit_cast<uint32_t>(p.y); };
-		std::unordered_map<uint64_t, uint32_t> place;
-		place.reserve(graph._corners.count());
-		for (uint32_t corner = 0; corner < graph._corners.count(); ++corner) {
-			place[key_of(graph._corners.position(corner))] = corner;
+		const Corners &corners = graph._corners;
+		HashIndex places;
+		for (uint32_t corner = 0; corner < corners.count(); ++corner) {
+			places.add(hash_of(corners.position(corner)));
 		}
 		new_of.assign(before._corners.count(), no_corner);
 		old_of.assign(graph._corners.count(), no_corner);
 		is_fresh.assign(graph._corners.count(), true);
 		for (uint32_t corner = 0; corner < before._corners.count(); ++corner) {
-			const auto found = place.find(key_of(before._corners.position(corner)));
-			if (found != place.end()) {
-				new_of[corner] = found->second;
-				old_of[found->second] = corner;
-				is_fresh[found->second] = std::ranges::any_of(changed, [&](const PlanBox &box) { return before._extents[corner].is_near(box); });
+			const glm::vec3 place = before._corners.position(corner);
+			const uint32_t found = places.find(hash_of(place), [&](uint32_t other) { return corners.position(other) == place; });
+			if (found != HashIndex::none) {
+				new_of[corner] = found;
+				old_of[found] = corner;
+				is_fresh[found] = std::ranges::any_of(changed, [&](const PlanBox &box) { return before._extents[corner].is_near(box); });
 			}
 		}
 	}
@@ -220,7 +221,7 @@ struct CornerGraph::Updater {
 	void look_out() {
 		seen.resize(walks.size());
 		in_batches(fresh.size(), [&](size_t first, size_t end) {
-			Lookout lookout(mesh, graph._corners);
+			Lookout lookout(mesh, graph._corners, polygons);
 			for (size_t i = first; i < end; ++i) {
 				for (const SeenCorner &other : lookout.look(fresh[i])) {
 					if (is_fresh[other.corner]) {
@@ -282,11 +283,17 @@ struct CornerGraph::Updater {
 	}
 };
 
-CornerGraph::CornerGraph(const NavMesh &mesh, float margin) : _corners(mesh, margin) { Builder{ mesh, *this, {} }.run(); }
+CornerGraph::CornerGraph(const NavMesh &mesh, float margin) {
+	CornerPolygons polygons;
+	_corners = Corners(mesh, margin, polygons);
+	Builder{ mesh, polygons, *this, {} }.run();
+}
 
-CornerGraph::CornerGraph(const NavMesh &mesh, float margin, const CornerGraph &before, std::span<const PlanBox> changed) : _corners(mesh, margin) {
-	if (!Updater{ mesh, before, changed, *this, {}, {}, {}, {}, {}, {} }.run()) {
-		Builder{ mesh, *this, {} }.run();
+CornerGraph::CornerGraph(const NavMesh &mesh, float margin, const CornerGraph &before, std::span<const PlanBox> changed) {
+	CornerPolygons polygons;
+	_corners = Corners(mesh, margin, polygons);
+	if (!Updater{ mesh, polygons, before, changed, *this, {}, {}, {}, {}, {}, {} }.run()) {
+		Builder{ mesh, polygons, *this, {} }.run();
 	}
 }
 
@@ -296,20 +303,23 @@ size_t CornerGraph::cut_short_count() const {
 
 void CornerGraph::set_walks(const Walks &walks) {
 	_first.assign(1, 0);
-	_walks.clear();
+	_first.reserve(walks.size() + 1);
+	for (const std::vector<SeenCorner> &list : walks) {
+		_first.push_back(_first.back() + uint32_t(list.size()));
+	}
+	_walks.reserve(_first.back());
 	for (const std::vector<SeenCorner> &list : walks) {
 		_walks.insert(_walks.end(), list.begin(), list.end());
-		_first.push_back(uint32_t(_walks.size()));
 	}
-	_walks.shrink_to_fit();
 }
 
-void CornerGraph::measure_far(const NavMesh &mesh, const std::function<std::vector<float>(size_t, uint32_t)> &measure) {
+void CornerGraph::measure_far(const NavMesh &mesh, const CornerPolygons &polygons,
+		const std::function<std::vector<float>(size_t, uint32_t)> &measure) {
 	_far.resize(_corners.count());
 	if (_far.empty()) {
 		return;
 	}
-	const std::vector<uint32_t> landmarks = choose_landmarks(mesh, _corners, landmark_count);
+	const std::vector<uint32_t> landmarks = choose_landmarks(mesh, _corners, polygons, landmark_count);
 	for (size_t k = 0; k < landmark_count; ++k) {
 		_landmarks[k] = _corners.position(landmarks[k]);
 	}

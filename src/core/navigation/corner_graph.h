@@ -68,7 +68,8 @@ private:
 	using Walks = std::vector<std::vector<SeenCorner>>; // by corner
 
 	void set_walks(const Walks &walks);
-	void measure_far(const NavMesh &mesh, const std::function<std::vector<float>(size_t index, uint32_t landmark)> &measure);
+	void measure_far(const NavMesh &mesh, const CornerPolygons &polygons,
+			const std::function<std::vector<float>(size_t index, uint32_t landmark)> &measure);
 
 	Corners _corners;
 	std::vector<uint32_t> _first; // one more than corners

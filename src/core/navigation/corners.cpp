@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "core/base/parallel.h"
+#include "core/base/shrink.h"
 #include "core/navigation/nav_mesh.h"
 #include "core/navigation/plan.h"
 
@@ -28,7 +29,7 @@ struct Arc {
 float angle_of(glm::vec3 direction) { return std::atan2(-direction.z, direction.x); }
 
 // `is_off` is set where the point does not lie on the polygon's outline.
-Arc arc_of(std::span<const glm::vec3> outline, glm::vec3 point, bool &is_off) {
+Arc arc_of(const auto &outline, glm::vec3 point, bool &is_off) {
 	const size_t count = outline.size();
 	size_t nearest = 0;
 	float best = INFINITY;
@@ -68,12 +69,12 @@ std::vector<Arc> blocked(std::vector<Arc> &arcs) {
 // One end of a gap: the left one of link `end / 2`, or the right one if odd.
 struct End {
 	int64_t x, z, y; // in centimetres; floors in metres
-	uint32_t end;
+	uint32_t end, polygon;
 
 	auto place() const { return std::tie(x, z, y); }
 };
 
-glm::vec3 position_of(const NavMesh &mesh, uint32_t end) {
+uint32_t point_of(const NavMesh &mesh, uint32_t end) {
 	const NavLink &link = mesh.links()[end / 2];
 	return end % 2 == 0 ? link.left : link.right;
 }
@@ -81,9 +82,11 @@ glm::vec3 position_of(const NavMesh &mesh, uint32_t end) {
 std::vector<End> sorted_ends(const NavMesh &mesh) {
 	std::vector<End> ends;
 	ends.reserve(2 * mesh.links().size());
-	for (uint32_t end = 0; end < 2 * mesh.links().size(); ++end) {
-		const glm::vec3 p = position_of(mesh, end);
-		ends.push_back({ std::llround(p.x * weld), std::llround(p.z * weld), std::llround(p.y), end });
+	for (uint32_t polygon = 0; polygon < mesh.polygon_count(); ++polygon) {
+		for (uint32_t end = 2 * mesh.first_link(polygon); end < 2 * mesh.first_link(polygon + 1); ++end) {
+			const glm::vec3 p = mesh.point(point_of(mesh, end));
+			ends.push_back({ std::llround(p.x * weld), std::llround(p.z * weld), std::llround(p.y), end, polygon });
+		}
 	}
 	std::sort(ends.begin(), ends.end(), [](const End &a, const End &b) { return std::tie(a.x, a.z, a.y, a.end) < std::tie(b.x, b.z, b.y, b.end); });
 	return ends;
@@ -109,7 +112,7 @@ bool add_touching(const NavMesh &mesh, glm::vec3 point, float margin, std::vecto
 	for (size_t i = 0; i < polygons.size(); ++i) {
 		for (uint32_t link = mesh.first_link(polygons[i]); link < mesh.first_link(polygons[i] + 1); ++link) {
 			const NavLink &gap = mesh.links()[link];
-			const float distance = distance_to_segment(point, gap.left, gap.right);
+			const float distance = distance_to_segment(point, mesh.point(gap.left), mesh.point(gap.right));
 			if (distance < touch) {
 				if (std::find(polygons.begin(), polygons.end(), gap.target) == polygons.end()) {
 					polygons.push_back(gap.target);
@@ -128,28 +131,25 @@ struct Corners::Finder {
 	float margin;
 	std::vector<Corner> corners;
 	std::vector<size_t> places; // of the corners
-	std::vector<uint32_t> corner_polygons;
+	CornerPolygons corner_polygons;
 	std::vector<uint32_t> polygons;
 	std::vector<Arc> arcs;
 
 	void look_at(size_t place, std::span<const End> here) {
 		polygons.clear();
 		for (const End &end : here) {
-			const uint32_t polygon = mesh.links()[end.end / 2].source;
-			if (std::find(polygons.begin(), polygons.end(), polygon) == polygons.end()) {
-				polygons.push_back(polygon);
+			if (std::find(polygons.begin(), polygons.end(), end.polygon) == polygons.end()) {
+				polygons.push_back(end.polygon);
 			}
 		}
 		Corner corner;
-		corner.position = position_of(mesh, here[0].end);
+		corner.position = mesh.point(point_of(mesh, here[0].end));
 		const bool is_uncertain = add_touching(mesh, corner.position, margin, polygons);
 		const bool is_mixed = std::ranges::any_of(polygons, [&](uint32_t polygon) { return mesh.cost(polygon) != mesh.cost(polygons[0]); });
 		if (!is_uncertain && !is_mixed && !juts_out(corner)) {
 			return;
 		}
-		corner.first_polygon = uint32_t(corner_polygons.size());
-		corner.polygon_count = uint32_t(polygons.size());
-		corner_polygons.insert(corner_polygons.end(), polygons.begin(), polygons.end());
+		corner_polygons.add(polygons);
 		corners.push_back(corner);
 		places.push_back(place);
 	}
@@ -173,7 +173,7 @@ struct Corners::Finder {
 	}
 };
 
-Corners::Corners(const NavMesh &mesh, float margin) {
+Corners::Corners(const NavMesh &mesh, float margin, CornerPolygons &polygons) {
 	const std::vector<End> ends = sorted_ends(mesh);
 	const std::vector<std::span<const End>> places = places_of(ends);
 	std::vector<Finder> finders((places.size() + batch - 1) / batch, { mesh, margin / 2.0f + touch, {}, {}, {}, {}, {} }); // gaps lie midway between sides
@@ -182,19 +182,17 @@ Corners::Corners(const NavMesh &mesh, float margin) {
 			finders[index].look_at(place, places[place]);
 		}
 	});
-	_ends.assign(ends.size(), no_corner);
+	_at.assign(mesh.point_count(), no_corner);
 	for (const Finder &found : finders) {
 		for (size_t i = 0; i < found.corners.size(); ++i) {
 			for (const End &end : places[found.places[i]]) {
-				_ends[end.end] = uint32_t(_corners.size());
+				_at[point_of(mesh, end.end)] = uint32_t(_corners.size());
 			}
 			_corners.push_back(found.corners[i]);
-			_corners.back().first_polygon += uint32_t(_polygons.size());
+			polygons.add(found.corner_polygons.of(uint32_t(i)));
 		}
-		_polygons.insert(_polygons.end(), found.corner_polygons.begin(), found.corner_polygons.end());
 	}
-	_corners.shrink_to_fit();
-	_polygons.shrink_to_fit();
+	shrink(_corners);
 }
 
 // The walls have to lie on one side of the way.

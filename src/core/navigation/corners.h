@@ -19,21 +19,30 @@ constexpr float touch = 0.01f;
 // `margin` metres that do not touch the point.
 bool add_touching(const NavMesh &mesh, glm::vec3 point, float margin, std::vector<uint32_t> &polygons);
 
+// All polygons that touch each corner: for those who look out of corners while the graph is made.
+class CornerPolygons {
+public:
+	std::span<const uint32_t> of(uint32_t corner) const { return { _polygons.data() + _first[corner], _first[corner + 1] - _first[corner] }; }
+	void add(std::span<const uint32_t> polygons) { // of the next corner
+		_polygons.insert(_polygons.end(), polygons.begin(), polygons.end());
+		_first.push_back(uint32_t(_polygons.size()));
+	}
+
+private:
+	std::vector<uint32_t> _polygons;
+	std::vector<uint32_t> _first = { 0 }; // one more than corners
+};
+
 class Corners {
 public:
 	Corners() = default;
-	// `margin` as in NavMeshOptions.
-	Corners(const NavMesh &mesh, float margin);
+	// `margin` as in NavMeshOptions. Adds all corners to `polygons`.
+	Corners(const NavMesh &mesh, float margin, CornerPolygons &polygons);
 
 	size_t count() const { return _corners.size(); }
 	glm::vec3 position(uint32_t corner) const { return _corners[corner].position; }
-	// Those at the ends of a link; no_corner where no walk bends.
-	uint32_t left(uint32_t link) const { return _ends[2 * link]; }
-	uint32_t right(uint32_t link) const { return _ends[2 * link + 1]; }
-	// All that touch the corner.
-	std::span<const uint32_t> polygons(uint32_t corner) const {
-		return { _polygons.data() + _corners[corner].first_polygon, _corners[corner].polygon_count };
-	}
+	// The one at a point of the mesh; no_corner where no walk bends.
+	uint32_t at(uint32_t point) const { return _at[point]; }
 	// Whether a shortest walk may come straight from `from` and go on in another direction, around the wall. Where that is uncertain, it may.
 	bool is_bend(uint32_t corner, glm::vec3 from) const;
 
@@ -45,14 +54,11 @@ private:
 	struct Corner {
 		glm::vec3 position{ 0.0f };
 		Walls walls;
-		uint32_t first_polygon = 0;
-		uint32_t polygon_count = 0;
 	};
 	struct Finder;
 
 	std::vector<Corner> _corners;
-	std::vector<uint32_t> _ends; // left and right of each link
-	std::vector<uint32_t> _polygons;
+	std::vector<uint32_t> _at; // by point
 };
 
 } // namespace pcg

@@ -40,9 +40,9 @@ float least_cost(const CornerGraph &graph, uint32_t corner, const std::vector<fl
 
 } // namespace
 
-std::vector<uint32_t> choose_landmarks(const NavMesh &mesh, const Corners &corners, size_t count) {
+std::vector<uint32_t> choose_landmarks(const NavMesh &mesh, const Corners &corners, const CornerPolygons &polygons, size_t count) {
 	std::vector<uint32_t> count_by_ground(mesh.component_count());
-	const auto ground_of = [&](uint32_t corner) { return mesh.component(corners.polygons(corner)[0]); };
+	const auto ground_of = [&](uint32_t corner) { return mesh.component(polygons.of(corner)[0]); };
 	for (uint32_t corner = 0; corner < corners.count(); ++corner) {
 		++count_by_ground[ground_of(corner)];
 	}

@@ -8,11 +8,12 @@
 namespace pcg {
 
 class CornerGraph;
+class CornerPolygons;
 class Corners;
 class NavMesh;
 
 // `count` corners, as far from each other as the crow flies as can be, all on the ground on which most corners are.
-std::vector<uint32_t> choose_landmarks(const NavMesh &mesh, const Corners &corners, size_t count);
+std::vector<uint32_t> choose_landmarks(const NavMesh &mesh, const Corners &corners, const CornerPolygons &polygons, size_t count);
 
 // What it costs to walk from one corner to each; infinity where there is no way.
 std::vector<float> walk_costs(const CornerGraph &graph, uint32_t from);

@@ -11,13 +11,13 @@ namespace {
 // Edges that lie side by side differ by at most about 8 degrees.
 constexpr float opposite = -0.99f;
 
-void add_both(std::vector<NavLink> &links, uint32_t a, uint32_t b, glm::vec3 left_from_a, glm::vec3 right_from_a) {
+void add_both(std::vector<NavGap> &links, uint32_t a, uint32_t b, glm::vec3 left_from_a, glm::vec3 right_from_a) {
 	links.push_back({ a, b, left_from_a, right_from_a });
 	links.push_back({ b, a, right_from_a, left_from_a });
 }
 
 // Joins edges with the same two vertices, and says which edges are left.
-std::vector<uint32_t> join_shared(std::span<const NavEdge> edges, std::vector<NavLink> &links) {
+std::vector<uint32_t> join_shared(std::span<const NavEdge> edges, std::vector<NavGap> &links) {
 	struct Named {
 		uint32_t low, high, edge;
 	};
@@ -47,7 +47,7 @@ std::vector<uint32_t> join_shared(std::span<const NavEdge> edges, std::vector<Na
 }
 
 // A link where two edges run side by side, if they do.
-bool join_side_by_side(const NavEdge &a, const NavEdge &b, const NavMeshOptions &options, std::vector<NavLink> &links) {
+bool join_side_by_side(const NavEdge &a, const NavEdge &b, const NavMeshOptions &options, std::vector<NavGap> &links) {
 	const float ax = a.to.x - a.from.x, az = a.to.z - a.from.z, bx = b.to.x - b.from.x, bz = b.to.z - b.from.z;
 	const float length_a = std::hypot(ax, az), length_b = std::hypot(bx, bz);
 	if (a.polygon == b.polygon || length_a < options.min_gap || length_b < options.min_gap ||
@@ -145,8 +145,8 @@ private:
 
 } // namespace
 
-std::vector<NavLink> find_links(std::span<const NavEdge> edges, const NavMeshOptions &options) {
-	std::vector<NavLink> links;
+std::vector<NavGap> find_links(std::span<const NavEdge> edges, const NavMeshOptions &options) {
+	std::vector<NavGap> links;
 	const std::vector<uint32_t> left_over = join_shared(edges, links);
 	const NearbyPairs pairs(edges, left_over, options.margin);
 	for (const auto &[a, b] : pairs.list()) {

@@ -19,7 +19,15 @@ struct NavEdge {
 	uint32_t to_name = 0;
 };
 
+// A way from one polygon into another, as NavLink.
+struct NavGap {
+	uint32_t source = no_polygon;
+	uint32_t target = no_polygon;
+	glm::vec3 left{ 0.0f };
+	glm::vec3 right{ 0.0f };
+};
+
 // Both directions of every way. Edges between the same two vertices are joined first; those left over where they run side by side.
-std::vector<NavLink> find_links(std::span<const NavEdge> edges, const NavMeshOptions &options);
+std::vector<NavGap> find_links(std::span<const NavEdge> edges, const NavMeshOptions &options);
 
 } // namespace pcg

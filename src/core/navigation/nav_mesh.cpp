@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
+#include "core/base/hash_index.h"
+#include "core/base/shrink.h"
 #include "core/navigation/corner_graph.h"
 #include "core/navigation/nav_links.h"
+#include "core/navigation/plan.h"
 
 namespace pcg {
 
@@ -15,7 +19,7 @@ constexpr float min_area = 1e-4f; // square metres
 constexpr float max_coordinate = 1e6f; // metres; beyond it floats are coarser than a step
 
 // Of the plan; positive for counter-clockwise seen from above.
-double plan_area(std::span<const glm::vec3> corners) {
+double plan_area(const auto &corners) {
 	double doubled = 0.0;
 	for (size_t i = 1; i + 1 < corners.size(); ++i) {
 		const glm::vec3 a = corners[i] - corners[0], b = corners[i + 1] - corners[0];
@@ -35,7 +39,7 @@ bool is_usable(const NavRegion &region, const std::vector<uint32_t> &polygon) {
 }
 
 // Height of the plane through the polygon at (x, z).
-float height_at(std::span<const glm::vec3> corners, float x, float z) {
+float height_at(const auto &corners, float x, float z) {
 	for (size_t i = 1; i + 1 < corners.size(); ++i) {
 		const glm::vec3 a = corners[i] - corners[0], b = corners[i + 1] - corners[0];
 		const float determinant = a.x * b.z - a.z * b.x;
@@ -75,12 +79,13 @@ NavMesh NavMesh::rebuild(const NavMesh &before, std::span<const PlanBox> changed
 NavMesh NavMesh::join(std::span<const NavRegion> regions, const NavMeshOptions &options) {
 	NavMesh mesh;
 	mesh._first_corner.push_back(0);
+	HashIndex known; // points
 	std::vector<uint32_t> corner_names;
 	uint32_t first_name = 0;
 	for (const NavRegion &region : regions) {
 		const size_t corners_before = corner_names.size();
 		for (size_t i = 0; i < region.polygons.size(); ++i) {
-			mesh.add_polygon(region, i, corner_names);
+			mesh.add_polygon(region, i, known, corner_names);
 		}
 		for (size_t i = corners_before; i < corner_names.size(); ++i) {
 			corner_names[i] += first_name;
@@ -93,58 +98,74 @@ NavMesh NavMesh::join(std::span<const NavRegion> regions, const NavMeshOptions &
 		const uint32_t first = mesh._first_corner[polygon], end = mesh._first_corner[polygon + 1];
 		for (uint32_t i = first; i < end; ++i) {
 			const uint32_t next = i + 1 < end ? i + 1 : first;
-			edges.push_back({ mesh._corners[i], mesh._corners[next], polygon, corner_names[i], corner_names[next] });
+			edges.push_back({ mesh.point(mesh._corners[i]), mesh.point(mesh._corners[next]), polygon, corner_names[i], corner_names[next] });
 		}
 	}
-	mesh._links = find_links(edges, options);
-	mesh.sort_links();
+	mesh.set_links(find_links(edges, options), known);
 	mesh.find_components();
 	mesh.fill_grid();
-	mesh._corners.shrink_to_fit(); // it stays for long
-	mesh._links.shrink_to_fit();
+	shrink(mesh._points); // it stays for long
+	shrink(mesh._corners);
+	shrink(mesh._first_corner);
+	shrink(mesh._costs);
 	return mesh;
 }
 
-void NavMesh::add_polygon(const NavRegion &region, size_t index, std::vector<uint32_t> &corner_names) {
+uint32_t NavMesh::add_point(glm::vec3 point, HashIndex &known) {
+	const uint64_t hash = hash_of(point);
+	const uint32_t found = known.find(hash, [&](uint32_t index) { return _points[index] == point; });
+	if (found != HashIndex::none) {
+		return found;
+	}
+	_points.push_back(point);
+	return known.add(hash);
+}
+
+void NavMesh::add_polygon(const NavRegion &region, size_t index, HashIndex &known, std::vector<uint32_t> &corner_names) {
 	const std::vector<uint32_t> &polygon = region.polygons[index];
 	if (!is_usable(region, polygon)) {
 		return;
 	}
-	const size_t first = _corners.size();
-	for (uint32_t vertex : polygon) {
-		_corners.push_back(region.vertices[vertex]);
-	}
-	const double area = plan_area({ _corners.data() + first, polygon.size() });
+	const double area = plan_area(polygon | std::views::transform([&](uint32_t vertex) { return region.vertices[vertex]; }));
 	if (std::abs(area) < min_area) {
-		_corners.resize(first);
 		return;
 	}
+	const auto first = ptrdiff_t(corner_names.size());
 	corner_names.insert(corner_names.end(), polygon.begin(), polygon.end());
 	if (area < 0.0) {
-		std::reverse(_corners.begin() + ptrdiff_t(first), _corners.end());
-		std::reverse(corner_names.begin() + ptrdiff_t(first), corner_names.end());
+		std::reverse(corner_names.begin() + first, corner_names.end());
 	}
+	std::transform(corner_names.begin() + first, corner_names.end(), std::back_inserter(_corners),
+			[&](uint32_t vertex) { return add_point(region.vertices[vertex], known); });
 	_first_corner.push_back(uint32_t(_corners.size()));
 	const float cost = index < region.costs.size() ? region.costs[index] : 1.0f;
 	_costs.push_back(cost >= 1.0f && cost < 1e6f ? cost : 1.0f);
 	_least_cost = _costs.size() == 1 ? _costs[0] : std::fmin(_least_cost, _costs.back());
 }
 
-void NavMesh::sort_links() {
-	std::stable_sort(_links.begin(), _links.end(), [](const NavLink &a, const NavLink &b) { return a.source < b.source; });
+void NavMesh::set_links(std::vector<NavGap> gaps, HashIndex &known) {
+	std::stable_sort(gaps.begin(), gaps.end(), [](const NavGap &a, const NavGap &b) { return a.source < b.source; });
 	_first_link.assign(polygon_count() + 1, 0);
-	for (const NavLink &link : _links) {
-		++_first_link[link.source + 1];
+	_links.reserve(gaps.size());
+	for (const NavGap &gap : gaps) {
+		++_first_link[gap.source + 1];
+		_links.push_back({ gap.target, add_point(gap.left, known), add_point(gap.right, known) });
 	}
 	std::partial_sum(_first_link.begin(), _first_link.end(), _first_link.begin());
+}
+
+uint32_t NavMesh::source(uint32_t link) const {
+	return uint32_t(std::upper_bound(_first_link.begin(), _first_link.end(), link) - _first_link.begin()) - 1;
 }
 
 void NavMesh::find_components() {
 	std::vector<uint32_t> parents(polygon_count());
 	std::iota(parents.begin(), parents.end(), 0);
-	for (const NavLink &link : _links) {
-		const uint32_t a = find_root(parents, link.source), b = find_root(parents, link.target);
-		parents[std::max(a, b)] = std::min(a, b);
+	for (uint32_t polygon = 0; polygon < polygon_count(); ++polygon) {
+		for (uint32_t link = first_link(polygon); link < first_link(polygon + 1); ++link) {
+			const uint32_t a = find_root(parents, polygon), b = find_root(parents, _links[link].target);
+			parents[std::max(a, b)] = std::min(a, b);
+		}
 	}
 	// The lowest polygon of a component is its root and comes first: number in that order.
 	_components.resize(polygon_count());
@@ -174,10 +195,10 @@ void NavMesh::fill_grid() {
 	if (polygon_count() == 0) {
 		return;
 	}
-	_min = _max = _corners[0];
-	for (const glm::vec3 &corner : _corners) {
-		_min = { std::fmin(_min.x, corner.x), std::fmin(_min.y, corner.y), std::fmin(_min.z, corner.z) };
-		_max = { std::fmax(_max.x, corner.x), std::fmax(_max.y, corner.y), std::fmax(_max.z, corner.z) };
+	_min = _max = _points[0];
+	for (const glm::vec3 &point : _points) {
+		_min = { std::fmin(_min.x, point.x), std::fmin(_min.y, point.y), std::fmin(_min.z, point.z) };
+		_max = { std::fmax(_max.x, point.x), std::fmax(_max.y, point.y), std::fmax(_max.z, point.z) };
 	}
 	// One polygon a cell on average, at most 4096 cells a side.
 	const float width = _max.x - _min.x, depth = _max.z - _min.z;
@@ -186,7 +207,7 @@ void NavMesh::fill_grid() {
 	_rows = uint32_t(depth / _cell) + 1;
 	const auto for_cells = [this](uint32_t polygon, auto action) {
 		glm::vec3 low = corners(polygon)[0], high = low;
-		for (const glm::vec3 &corner : corners(polygon)) {
+		for (const glm::vec3 corner : corners(polygon)) {
 			low = { std::fmin(low.x, corner.x), 0.0f, std::fmin(low.z, corner.z) };
 			high = { std::fmax(high.x, corner.x), 0.0f, std::fmax(high.z, corner.z) };
 		}
@@ -209,7 +230,7 @@ void NavMesh::fill_grid() {
 }
 
 glm::vec3 NavMesh::nearest_in(uint32_t polygon, glm::vec3 point) const {
-	const std::span<const glm::vec3> outline = corners(polygon);
+	const auto outline = corners(polygon);
 	bool is_inside = true;
 	glm::vec3 best{ 0.0f };
 	float best_distance = INFINITY;

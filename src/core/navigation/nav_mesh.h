@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <ranges>
 #include <span>
 #include <vector>
 
@@ -32,10 +33,8 @@ struct NavMeshOptions {
 
 // A way from one polygon into another. Seen by who walks it, the gap runs from `left` to `right`.
 struct NavLink {
-	uint32_t source = no_polygon;
 	uint32_t target = no_polygon;
-	glm::vec3 left{ 0.0f };
-	glm::vec3 right{ 0.0f };
+	uint32_t left = 0, right = 0; // points of the mesh
 };
 
 struct NavPoint {
@@ -46,6 +45,8 @@ struct NavPoint {
 };
 
 class CornerGraph;
+class HashIndex;
+struct NavGap;
 
 class NavMesh {
 public:
@@ -58,12 +59,17 @@ public:
 			const NavMeshOptions &options = {});
 
 	size_t polygon_count() const { return _first_corner.empty() ? 0 : _first_corner.size() - 1; }
+	// Where polygons have corners and gaps end, each place once.
+	size_t point_count() const { return _points.size(); }
+	glm::vec3 point(uint32_t index) const { return _points[index]; }
 	// Counter-clockwise seen from above.
-	std::span<const glm::vec3> corners(uint32_t polygon) const {
-		return { _corners.data() + _first_corner[polygon], _first_corner[polygon + 1] - _first_corner[polygon] };
+	auto corners(uint32_t polygon) const {
+		return std::span(_corners).subspan(_first_corner[polygon], _first_corner[polygon + 1] - _first_corner[polygon]) |
+				std::views::transform([this](uint32_t point) { return _points[point]; });
 	}
 	const std::vector<NavLink> &links() const { return _links; }
 	uint32_t first_link(uint32_t polygon) const { return _first_link[polygon]; } // also of polygon_count(): the end
+	uint32_t source(uint32_t link) const; // found by halving
 	float cost(uint32_t polygon) const { return _costs[polygon]; }
 	float least_cost() const { return _least_cost; }
 	// Two polygons are connected if and only if their components are equal.
@@ -80,14 +86,16 @@ public:
 
 private:
 	static NavMesh join(std::span<const NavRegion> regions, const NavMeshOptions &options); // all but the graph
-	void add_polygon(const NavRegion &region, size_t index, std::vector<uint32_t> &corner_names);
-	void sort_links();
+	uint32_t add_point(glm::vec3 point, HashIndex &known);
+	void add_polygon(const NavRegion &region, size_t index, HashIndex &known, std::vector<uint32_t> &corner_names);
+	void set_links(std::vector<NavGap> gaps, HashIndex &known);
 	void find_components();
 	void fill_grid();
 	uint32_t column(float x) const;
 	uint32_t row(float z) const;
 
-	std::vector<glm::vec3> _corners;
+	std::vector<glm::vec3> _points;
+	std::vector<uint32_t> _corners; // points
 	std::vector<uint32_t> _first_corner; // one more than polygons
 	std::vector<float> _costs;
 	float _least_cost = 1.0f;

@@ -55,9 +55,9 @@ void PathFinder::pass_gaps(const NavPoint &from, const NavPoint &to) {
 		}
 	}
 	add_point(from.position);
-	for (uint32_t polygon = from.polygon; polygon != to.polygon; polygon = _mesh->links()[came_by[polygon]].source) {
+	for (uint32_t polygon = from.polygon; polygon != to.polygon; polygon = _mesh->source(came_by[polygon])) {
 		const NavLink &gap = _mesh->links()[came_by[polygon]];
-		add_point((gap.left + gap.right) / 2.0f);
+		add_point((_mesh->point(gap.left) + _mesh->point(gap.right)) / 2.0f);
 	}
 	add_point(to.position);
 }

@@ -1,9 +1,13 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include <glm/vec3.hpp>
+
+#include "core/base/random.h"
 
 // Geometry of the plan: x and z only, seen from above.
 namespace pcg {
@@ -18,6 +22,11 @@ inline float distance_to_segment(glm::vec3 point, glm::vec3 a, glm::vec3 b) {
 	const float t = std::clamp((px * dx + pz * dz) / std::fmax(dx * dx + dz * dz, 1e-12f), 0.0f, 1.0f);
 	const float ex = px - t * dx, ez = pz - t * dz;
 	return std::sqrt(ex * ex + ez * ez);
+}
+
+// For places that are equal to the bit.
+inline uint64_t hash_of(glm::vec3 p) {
+	return mix64(uint64_t(std::bit_cast<uint32_t>(p.x)) << 32 | std::bit_cast<uint32_t>(p.z)) ^ std::bit_cast<uint32_t>(p.y);
 }
 
 // A rectangle of the plan, empty at first.

@@ -35,9 +35,8 @@ std::span<const SeenCorner> Sight::look(const NavPoint &from) {
 	return _seen;
 }
 
-std::span<const SeenCorner> Sight::look(uint32_t corner) {
+std::span<const SeenCorner> Sight::look(uint32_t corner, std::span<const uint32_t> polygons) {
 	begin(_corners->position(corner), corner);
-	const std::span<const uint32_t> polygons = _corners->polygons(corner);
 	_starts.assign(polygons.begin(), polygons.end());
 	spread();
 	return _seen;
@@ -61,8 +60,8 @@ PlanBox Sight::extent() const {
 	PlanBox box;
 	box.add(_root);
 	for (const Cone &cone : _cones) {
-		box.add(_mesh->links()[cone.link].left);
-		box.add(_mesh->links()[cone.link].right);
+		box.add(_mesh->point(_mesh->links()[cone.link].left));
+		box.add(_mesh->point(_mesh->links()[cone.link].right));
 	}
 	for (const SeenCorner &seen : _seen) {
 		box.add(_corners->position(seen.corner));
@@ -97,12 +96,13 @@ void Sight::look_around(uint32_t polygon) {
 	}
 	for (uint32_t i = _mesh->first_link(polygon); i < _mesh->first_link(polygon + 1); ++i) {
 		const NavLink &link = _mesh->links()[i];
-		see(_corners->left(i));
-		see(_corners->right(i));
-		if (distance_to_segment(_root, link.left, link.right) >= touch) {
-			const Ray left = ray_to(link.left), right = ray_to(link.right);
+		const glm::vec3 left_end = _mesh->point(link.left), right_end = _mesh->point(link.right);
+		see(_corners->at(link.left));
+		see(_corners->at(link.right));
+		if (distance_to_segment(_root, left_end, right_end) >= touch) {
+			const Ray left = ray_to(left_end), right = ray_to(right_end);
 			if (!is_needless(left, right)) {
-				enter(i, left, right);
+				enter(polygon, i, left, right);
 			}
 		}
 	}
@@ -113,32 +113,31 @@ float Sight::slack_of(Ray ray) { return graze * (std::abs(ray.x) + std::abs(ray.
 
 void Sight::look_through(uint32_t index) {
 	const Cone cone = _cones[index];
-	const uint32_t came_from = _mesh->links()[cone.link].source;
 	if (_has_aim) { // no other cones are entered than those with the aim in them
 		aim_into(cone.polygon);
 	}
 	for (uint32_t i = _mesh->first_link(cone.polygon); i < _mesh->first_link(cone.polygon + 1); ++i) {
 		const NavLink &link = _mesh->links()[i];
-		const Ray left = ray_to(link.left), right = ray_to(link.right);
+		const Ray left = ray_to(_mesh->point(link.left)), right = ray_to(_mesh->point(link.right));
 		const float left_slack = slack_of(left), right_slack = slack_of(right);
-		if (link.target == came_from || turn(cone.left, right) > right_slack || turn(cone.right, left) < -left_slack) {
+		if (link.target == cone.source || turn(cone.left, right) > right_slack || turn(cone.right, left) < -left_slack) {
 			continue;
 		}
 		const float beyond_left = turn(cone.left, left), beyond_right = -turn(cone.right, right);
 		if (beyond_left <= left_slack) {
-			see(_corners->left(i));
+			see(_corners->at(link.left));
 		}
 		if (beyond_right <= right_slack) {
-			see(_corners->right(i));
+			see(_corners->at(link.right));
 		}
 		const Ray new_left = beyond_left > 0.0f ? cone.left : left, new_right = beyond_right > 0.0f ? cone.right : right;
 		if (!_has_aim || !is_needless(new_left, new_right)) {
-			enter(i, new_left, new_right);
+			enter(cone.polygon, i, new_left, new_right);
 		}
 	}
 }
 
-void Sight::enter(uint32_t link, Ray left, Ray right) {
+void Sight::enter(uint32_t source, uint32_t link, Ray left, Ray right) {
 	const uint32_t polygon = _mesh->links()[link].target;
 	if (_mesh->cost(polygon) != _ground || turn(right, left) <= 1e-6f || is_known(polygon, left, right)) {
 		return;
@@ -146,7 +145,7 @@ void Sight::enter(uint32_t link, Ray left, Ray right) {
 	Entry &entry = _entries[polygon];
 	const uint32_t earlier = entry.look == _look ? entry.last : no_cone;
 	entry = { _look, uint32_t(_cones.size()) };
-	_cones.push_back({ polygon, link, earlier, left, right });
+	_cones.push_back({ polygon, link, source, earlier, left, right });
 }
 
 // Whether nothing between the two directions is looked for. Directions in which no walk bends around the wall at the root lie beside each other.

@@ -25,8 +25,8 @@ public:
 
 	// The corners seen at which a shortest walk that comes from here may bend, each once. Valid until the next call.
 	std::span<const SeenCorner> look(const NavPoint &from);
-	// The same from a corner, for walks that bend here, too.
-	std::span<const SeenCorner> look(uint32_t corner);
+	// The same from a corner, which these polygons touch, for walks that bend here, too.
+	std::span<const SeenCorner> look(uint32_t corner, std::span<const uint32_t> polygons);
 	// Of the last look: all that it depends on lies in this part of the plan, or touches it.
 	PlanBox extent() const;
 	// Calls `action(polygon)` for those that the last look came into; perhaps several times for one.
@@ -55,6 +55,7 @@ private:
 	// Sight into a polygon through a gap, or what of the gap is not hidden.
 	struct Cone {
 		uint32_t polygon, link; // that it came through
+		uint32_t source; // of the link
 		uint32_t earlier; // another cone into this polygon; no_cone if it is the first
 		Ray left, right;
 	};
@@ -71,7 +72,7 @@ private:
 	void spread();
 	void look_around(uint32_t polygon);
 	void look_through(uint32_t cone);
-	void enter(uint32_t link, Ray left, Ray right);
+	void enter(uint32_t source, uint32_t link, Ray left, Ray right);
 	void see(uint32_t corner);
 	bool is_known(uint32_t polygon, Ray left, Ray right) const;
 	bool is_needless(Ray left, Ray right) const;

@@ -16,8 +16,9 @@ TEST_CASE("landmarks lie far apart") {
 		world.set_free(x, 4, false);
 	}
 	const NavMesh mesh = world.mesh();
-	const Corners &corners = mesh.corner_graph().corners();
-	const std::vector<uint32_t> landmarks = choose_landmarks(mesh, corners, 2);
+	CornerPolygons polygons;
+	const Corners corners(mesh, 0.25f, polygons);
+	const std::vector<uint32_t> landmarks = choose_landmarks(mesh, corners, polygons, 2);
 	REQUIRE(landmarks.size() == 2);
 	CHECK(std::abs(corners.position(landmarks[0]).x - corners.position(landmarks[1]).x) > 12.0f);
 }

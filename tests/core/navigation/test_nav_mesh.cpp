@@ -32,10 +32,13 @@ TEST_CASE("polygons that share an edge are linked both ways, with the gap's ends
 	const NavLink &east = mesh.links()[mesh.first_link(0)];
 	CHECK(east.target == 1);
 	// Walking east, north (-z) is on the left.
-	CHECK(east.left == glm::vec3(3, 0, 0));
-	CHECK(east.right == glm::vec3(3, 0, 2));
+	CHECK(mesh.point(east.left) == glm::vec3(3, 0, 0));
+	CHECK(mesh.point(east.right) == glm::vec3(3, 0, 2));
 	const NavLink &west = mesh.links()[mesh.first_link(1)];
-	CHECK(west.left == glm::vec3(3, 0, 2));
+	CHECK(mesh.point(west.left) == glm::vec3(3, 0, 2));
+	CHECK(mesh.source(mesh.first_link(0)) == 0);
+	CHECK(mesh.source(mesh.first_link(1)) == 1);
+	CHECK(mesh.point_count() == 6);
 	CHECK(mesh.component(0) == mesh.component(1));
 	CHECK(mesh.component_area(0) == doctest::Approx(10.0));
 }
@@ -45,9 +48,9 @@ TEST_CASE("regions are joined across a seam where their edges overlap, even with
 	const NavMesh mesh = mesh_of({ rectangle(0, 0, 4, 6), rectangle(4.1f, 1, 8, 3), rectangle(4.1f, 4, 8, 9) });
 	REQUIRE(mesh.links().size() == 4);
 	const NavLink &first = mesh.links()[mesh.first_link(0)], &second = mesh.links()[mesh.first_link(0) + 1];
-	CHECK(std::abs(first.left.z - first.right.z) == doctest::Approx(2.0));
-	CHECK(std::abs(second.left.z - second.right.z) == doctest::Approx(2.0));
-	CHECK(first.left.x == doctest::Approx(4.05));
+	CHECK(std::abs(mesh.point(first.left).z - mesh.point(first.right).z) == doctest::Approx(2.0));
+	CHECK(std::abs(mesh.point(second.left).z - mesh.point(second.right).z) == doctest::Approx(2.0));
+	CHECK(mesh.point(first.left).x == doctest::Approx(4.05));
 	CHECK(mesh.component_count() == 1);
 }
 
