@@ -12,6 +12,7 @@ func test_attributes_are_controls_by_their_annotations() -> void:
 	attributes.set("roofType", "hip") # the rules draw it, and these, for each house
 	attributes.set("wallColor", "#ff0000")
 	attributes.set("hasDormers", "true")
+	attributes.end_typing()
 	var by_name: Dictionary = {}
 	for property: Dictionary in attributes.get_property_list():
 		by_name[property["name"]] = property
@@ -51,6 +52,8 @@ Lot --> extrude(high) X.
 	attributes.set("high", 3.0)
 	attributes.set("drawn", "2.5")
 	attributes.set("isTall", "perhaps")
+	check_equal(attributes.get("isTall"), "perhaps", "what is typed stands there while it is typed")
+	attributes.end_typing()
 	check_equal(type.attributes, {"high": 3.0, "drawn": 2.5}, "what is a value is set")
 	check_equal([attributes.get("drawn"), attributes.get("isTall")], [2.5, "high == 3"], "and shown")
 	for name: String in ["high", "drawn"]:

@@ -129,6 +129,27 @@ func test_a_person_is_chosen_and_looked_at() -> void:
 	get_authoring().rules.close_current()
 
 
+func test_a_number_is_typed_in_place_of_what_the_rules_draw() -> void:
+	var city: PCGCity = await _make_city()
+	var tab: Authoring.PCGDock.CityTab = get_authoring().dock.city_tab
+	(tab.get_node("%Pages") as TabContainer).current_tab = 2
+	await frames(4)
+	check(await click_row(tab.get_node("%Types"), "house"), "a type is chosen")
+	await frames(4)
+	var controls: Array = tab.get_node("%Attributes").find_children("*", "EditorProperty", true, false)
+	var width: EditorProperty = controls.filter(func(control: EditorProperty) -> bool: return control.get_edited_property() == &"houseWidth")[0]
+	var field: LineEdit = width.find_children("*", "LineEdit", true, false)[0]
+	field.grab_focus()
+	field.select_all()
+	for letter: String in "11.5":
+		await type(letter)
+		await frames(3)
+	check_equal(city.lot_types[0].attributes, {"houseWidth": 11.5}, "all of it is taken")
+	field.release_focus()
+	await frames(4)
+	check_equal(tab.get_attributes().get("houseWidth"), 11.5, "and is a number when the field is left")
+
+
 func test_no_word_of_the_dock_is_cut_off() -> void:
 	await _make_city()
 	await _show_page("Population")

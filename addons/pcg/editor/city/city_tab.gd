@@ -134,10 +134,14 @@ func _on_step() -> void:
 	_seed.set_value_no_signal(context.city.seed)
 	if context.city.layout != _layout:
 		_show_layout(context.city.layout)
-	if _describe_land_use() != _shown_land_use:
+	var typing: Control = get_viewport().gui_get_focus_owner()
+	if typing and _attribute_inspector.is_ancestor_of(typing): # each letter is a step
+		if not typing.focus_exited.is_connected(_on_step):
+			typing.focus_exited.connect(_on_step, CONNECT_ONE_SHOT | CONNECT_DEFERRED)
+	elif _describe_land_use() != _shown_land_use:
 		show_land_use()
 	elif _attributes:
-		_attributes.notify_property_list_changed()
+		_attributes.end_typing()
 
 
 func _follow(city: PCGCity) -> void:

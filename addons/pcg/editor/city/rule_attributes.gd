@@ -15,6 +15,7 @@ var subject: Object:
 	get:
 		return subject if is_instance_valid(subject) else null
 var rules: PCGRuleSet
+var _typed: Dictionary[StringName, String] = {} # texts that somebody is typing, shown in place of the values that they mean so far
 var _holder := &"" # the subject's property that has the values that are set
 var _entries: Dictionary[StringName, Dictionary] = {} # name to { property, default }
 
@@ -142,6 +143,8 @@ func _get(name: StringName) -> Variant:
 		return subject.get(OF_LOTS[name]["of"])
 	if not _has(name):
 		return null
+	if _typed.has(name):
+		return _typed[name]
 	var value: Variant = _set_values().get(String(name), _plain_default(name))
 	if value == null:
 		return _entries[name]["default"]
@@ -155,6 +158,9 @@ func _set(name: StringName, value: Variant) -> bool:
 		return true
 	if not _has(name):
 		return false
+	_typed.erase(name)
+	if value is String and _entries[name]["property"]["type"] != TYPE_STRING:
+		_typed[name] = value
 	var attributes: Dictionary = _set_values().duplicate()
 	attributes.erase(String(name))
 	var written: Variant = _read_value(name, value)
@@ -162,8 +168,13 @@ func _set(name: StringName, value: Variant) -> bool:
 		attributes[String(name)] = written
 	subject.set(_holder, attributes)
 	EditorInterface.mark_scene_as_unsaved()
-	notify_property_list_changed()
 	return true
+
+
+## Shows each attribute by the control for its value. Controls are made anew, so call it while nobody types.
+func end_typing() -> void:
+	_typed.clear()
+	notify_property_list_changed()
 
 
 func _property_can_revert(name: StringName) -> bool:
