@@ -147,38 +147,6 @@ func test_generating_again_replaces_what_was_there() -> void:
 	check_equal(cleared[0], 1, "which is told once")
 
 
-func test_the_engine_finds_a_way_between_two_entrances() -> void:
-	var city: PCGCity = _grown()
-	var entrances: Array[Node] = city.find_children("*", "PCGEntrance", true, false)
-	var from: Vector3 = (entrances.front() as PCGEntrance).global_position
-	var to: Vector3 = (entrances.back() as PCGEntrance).global_position
-	var map: RID = city.get_world_3d().navigation_map
-	for frame: int in 600: # until the map has let go of cities before this one
-		if _is_known_to(map, city, from) and _is_known_to(map, city, to) and NavigationServer3D.map_get_path(map, from, to, true).size() > 1:
-			break
-		await get_tree().physics_frame
-	var engine_way: PackedVector3Array = NavigationServer3D.map_get_path(map, from, to, true)
-	check(engine_way.size() > 1, "the engine's navigation server has a path")
-	var way: PackedVector3Array = city.find_path(from, to)
-	check(way.size() > 1, "the city has one too")
-	check(_length(way) <= 1.01 * _length(engine_way) + 2.0, "no longer: %s and %s m" % [_length(way), _length(engine_way)]) # 2 m: the doorsteps
-	check(_length(way) >= from.distance_to(to), "and no shorter than the straight line: %s m" % _length(way))
-
-
-func _is_known_to(map: RID, city: PCGCity, point: Vector3) -> bool:
-	if NavigationServer3D.map_get_iteration_id(map) == 0: # asked before that it complains
-		return false
-	var owner_rid: RID = NavigationServer3D.map_get_closest_point_owner(map, point)
-	return city.find_children("*", "NavigationRegion3D", true, false).any(func(region: NavigationRegion3D) -> bool: return region.get_rid() == owner_rid)
-
-
-func _length(points: PackedVector3Array) -> float:
-	var sum := 0.0
-	for i: int in range(1, points.size()):
-		sum += points[i - 1].distance_to(points[i])
-	return sum
-
-
 func test_a_building_has_the_type_and_place_of_its_first_door() -> void:
 	var city: PCGCity = CityForTests.make_city(12)
 	city.position = Vector3(100.0, 2.0, -30.0)

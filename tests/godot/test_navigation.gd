@@ -160,3 +160,30 @@ func test_units_of_settings_are_signs_that_people_read() -> void:
 	var slope: Dictionary = city.get_property_list().filter(func(property: Dictionary) -> bool: return property["name"] == "agent_max_slope")[0]
 	check(str(slope["hint_string"]).ends_with("suffix:°"), "degrees: %s" % slope["hint_string"])
 	city.free()
+
+
+func test_the_engine_finds_a_way_between_two_entrances() -> void:
+	var city: PCGCity = CityForTests.make_city(40)
+	add_child(city)
+	check(city.generate_now(), "it generates: %s" % [city.get_diagnostics()])
+	var entrances: Array[Node] = city.find_children("*", "PCGEntrance", true, false)
+	var from: Vector3 = (entrances.front() as PCGEntrance).global_position
+	var to: Vector3 = (entrances.back() as PCGEntrance).global_position
+	var map: RID = city.get_world_3d().navigation_map
+	for frame: int in 600: # until the map has let go of cities before this one
+		if _is_known_to(map, city, from) and _is_known_to(map, city, to) and NavigationServer3D.map_get_path(map, from, to, true).size() > 1:
+			break
+		await get_tree().physics_frame
+	var engine_way: PackedVector3Array = NavigationServer3D.map_get_path(map, from, to, true)
+	check(engine_way.size() > 1, "the engine's navigation server has a path")
+	var way: PackedVector3Array = city.find_path(from, to)
+	check(way.size() > 1, "the city has one too")
+	check(_length(way) <= 1.01 * _length(engine_way) + 2.0, "no longer: %s and %s m" % [_length(way), _length(engine_way)]) # 2 m: the doorsteps
+	check(_length(way) >= from.distance_to(to), "and no shorter than the straight line: %s m" % _length(way))
+
+
+func _is_known_to(map: RID, city: PCGCity, point: Vector3) -> bool:
+	if NavigationServer3D.map_get_iteration_id(map) == 0: # asked before that it complains
+		return false
+	var owner_rid: RID = NavigationServer3D.map_get_closest_point_owner(map, point)
+	return city.find_children("*", "NavigationRegion3D", true, false).any(func(region: NavigationRegion3D) -> bool: return region.get_rid() == owner_rid)
