@@ -5,13 +5,12 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/cga/dialect.h"
 #include "core/city/city_bytes.h"
 #include "core/city/city_generator.h"
 #include "core/city/walkable.h"
-#include "core/io/rule_loader.h"
 #include "core/navigation/nav_mesh_paths.h"
 #include "core/navigation/reachability.h"
+#include "tests/core/city/compiled.h"
 
 using namespace pcg;
 
@@ -36,15 +35,6 @@ Strip --> split(z) { ~1: NIL | 2: Bench }
 @Object("bench")
 Bench --> extrude(0.5)
 )";
-
-std::shared_ptr<const Program> compile(std::string_view text) {
-	MemorySourceProvider sources;
-	sources.add("rules.cga", std::string(text));
-	Diagnostics diagnostics;
-	std::shared_ptr<const Program> program = load_program("rules.cga", cga::cga_dialect(), sources, diagnostics);
-	REQUIRE_MESSAGE(program, to_text(diagnostics));
-	return program;
-}
 
 RulesByType town_rules() { return { { "house", { compile(house_rules), {}, {} } }, { "park", { compile(park_rules), {}, {} } } }; }
 

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 
-#include "core/cga/dialect.h"
 #include "core/city/city_generator.h"
 #include "core/city/walkable.h"
-#include "core/io/rule_loader.h"
+#include "tests/core/city/compiled.h"
 
 using namespace pcg;
 
@@ -22,15 +21,6 @@ Kerb --> t(0, -0.1, 0) extrude(0.1) Kerb.
 @Object("bench")
 Bench --> extrude(0.5) zone("seat")
 )";
-
-std::shared_ptr<const Program> compile(std::string_view text) {
-	MemorySourceProvider sources;
-	sources.add("rules.cga", std::string(text));
-	Diagnostics diagnostics;
-	std::shared_ptr<const Program> program = load_program("rules.cga", cga::cga_dialect(), sources, diagnostics);
-	REQUIRE_MESSAGE(program, to_text(diagnostics));
-	return program;
-}
 
 // Lots are empty parks.
 City make(std::string_view rules, Diagnostics &diagnostics, unsigned threads = 1) {

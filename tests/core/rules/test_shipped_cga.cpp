@@ -73,13 +73,29 @@ bool has_entrance(const DerivationResult &model, const std::string &type) {
 	return std::ranges::any_of(model.entrances, [&](const ModelEntrance &e) { return e.type == type; });
 }
 
+using FreeGround = std::vector<std::vector<glm::vec3>>;
+
+FreeGround ground_of(const DerivationResult &model, const ShippedRules &rules) {
+	Lot lot;
+	const InitialShape shape = InitialShape::rectangle(rules.width, rules.depth);
+	for (const glm::dvec3 &corner : shape.faces[0].outline) {
+		lot.polygon.push_back(glm::vec3(corner));
+	}
+	lot.street_widths = { 8, 0, 0, 0 };
+	return free_ground(lot, model);
+}
+
+bool is_on(const FreeGround &ground, glm::vec3 point) {
+	return std::ranges::any_of(ground, [&](const std::vector<glm::vec3> &piece) {
+		return contains(Zone{ TypeId::Invalid, piece, 0.0f, LotId(0), false }, point);
+	});
+}
+
 // Whether ground that is connected with the street lies before the door, within the three metres of a porch.
-bool is_reachable(const std::vector<std::vector<glm::vec3>> &ground, const ModelEntrance &door) {
+bool is_reachable(const FreeGround &ground, const ModelEntrance &door) {
 	for (float metres = 0.25f; metres <= 3.0f; metres += 0.25f) {
-		for (const std::vector<glm::vec3> &piece : ground) {
-			if (contains(Zone{ TypeId::Invalid, piece, 0.0f, LotId(0), false }, door.position + door.facing * metres)) {
-				return true;
-			}
+		if (is_on(ground, door.position + door.facing * metres)) {
+			return true;
 		}
 	}
 	return false;
@@ -89,13 +105,7 @@ void check_doors(const DerivationResult &model, const ShippedRules &rules) {
 	for (const std::string &type : rules.entrances) {
 		CHECK_MESSAGE(has_entrance(model, type), type);
 	}
-	Lot lot;
-	const InitialShape shape = InitialShape::rectangle(rules.width, rules.depth);
-	for (const glm::dvec3 &corner : shape.faces[0].outline) {
-		lot.polygon.push_back(glm::vec3(corner));
-	}
-	lot.street_widths = { 8, 0, 0, 0 };
-	const auto ground = free_ground(lot, model);
+	const FreeGround ground = ground_of(model, rules);
 	for (const ModelEntrance &door : model.entrances) {
 		INFO(door.type << " at " << door.position.x << " " << door.position.z);
 		CHECK(std::abs(door.position.y) < 1e-3f);
@@ -163,6 +173,31 @@ TEST_CASE("shipped rules: each level of detail keeps its budget, and has the doo
 			}
 		}
 	}
+}
+
+TEST_CASE("shipped rules: nobody walks in a fountain, and all who look at it stand on free ground") {
+	size_t fountains = 0;
+	for (const ShippedRules &rules : all_shipped()) {
+		const auto program = load(rules.name);
+		for (int lod = 0; lod < 3; ++lod) {
+			const DerivationResult model = derive_at(*program, InitialShape::rectangle(rules.width, rules.depth), lod);
+			const FreeGround ground = ground_of(model, rules);
+			for (const ModelObject &object : model.objects) {
+				if (object.tag != "fountain") {
+					continue;
+				}
+				INFO(rules.name << " lod " << lod);
+				++fountains;
+				const auto floor = [](glm::vec3 point) { return glm::vec3(point.x, 0.0f, point.z); };
+				CHECK_FALSE(is_on(ground, floor(glm::vec3(object.frame[3]))));
+				CHECK(object.places.size() == 8);
+				for (const ModelPlace &place : object.places) {
+					CHECK(is_on(ground, floor(place.position)));
+				}
+			}
+		}
+	}
+	CHECK(fountains >= 6); // of the park and the plaza
 }
 
 TEST_CASE("shipped rules: lots of other sizes keep their doors") {
