@@ -65,6 +65,18 @@ Transform3D to_frame(const glm::mat4 &matrix) {
 	return Transform3D(Basis(to_godot(x), to_godot(y), to_godot(z)), to_godot(origin));
 }
 
+// What the making of nodes costs beside that of faces.
+constexpr double work_of_node = 10.0;
+
+// Of all that is not the geometry of a part itself.
+double work_of_furniture(const cga::DerivationResult &model, size_t node_count) {
+	double faces = double(model.instances.size());
+	for (const auto &object : model.objects) {
+		faces += double(object.mesh.faces.size());
+	}
+	return faces + work_of_node * double(node_count);
+}
+
 } // namespace
 
 glm::vec3 middle_of(const std::vector<glm::vec3> &polygon) {
@@ -196,22 +208,6 @@ bool CityBuilder::build_next() {
 	begin_block(BlockId(_next_block++));
 	return true;
 }
-
-namespace {
-
-// What the making of nodes costs beside that of faces.
-constexpr double work_of_node = 10.0;
-
-// Of all that is not the geometry of a part itself.
-double work_of_furniture(const cga::DerivationResult &model, size_t node_count) {
-	double faces = double(model.instances.size());
-	for (const auto &object : model.objects) {
-		faces += double(object.mesh.faces.size());
-	}
-	return faces + work_of_node * double(node_count);
-}
-
-} // namespace
 
 double CityBuilder::next_work() const {
 	if (_ground != nullptr) {
