@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/shrink.h"
+
 namespace pcg {
 
 // Finds things of a list, numbered 0, 1, 2 .. in order of adding, by a hash of what they are. Open addressing: adding needs no memory of its own
@@ -18,7 +20,7 @@ public:
 	void clear() {
 		_hashes.clear();
 		_places.assign(first_size, 0);
-		_places.shrink_to_fit();
+		shrink(_places);
 	}
 	// The number added under this hash for which `is_it(number)` holds, or none.
 	template <typename Test> uint32_t find(uint64_t hash, Test is_it) const {

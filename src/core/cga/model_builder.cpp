@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/base/shrink.h"
 #include "core/cga/instances.h"
 #include "core/cga/zone_prism.h"
 #include "core/geometry/polygon.h"
@@ -89,7 +90,7 @@ void complete_normals(Mesh &mesh, size_t corner_count) {
 // A city keeps its meshes: what they have not filled is given back, unless it is next to nothing.
 template <typename T> void trim(std::vector<T> &list) {
 	if (list.capacity() > list.size() + list.size() / 8) {
-		list.shrink_to_fit();
+		shrink(list);
 	}
 }
 
