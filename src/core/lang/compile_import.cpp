@@ -59,6 +59,44 @@ uint32_t Compiler::replaced_by_caller(uint32_t definition) const {
 	return own != no_node && _definitions[own].index == _current_rule ? called.replaced : definition;
 }
 
+// import imp : "f"   attr x = imp.x + 1: in what the importing file gives, imp.x is what the import has of its own.
+bool Compiler::is_given_here(uint32_t definition) const {
+	const Definition &asked = _definitions[definition];
+	return _current_value != no_node && (asked.inherits == _current_value || (asked.override_item != nullptr && definition == _current_value));
+}
+
+// An attribute that has no name for anybody else.
+uint32_t Compiler::own_value_of(uint32_t definition) {
+	const auto known = std::ranges::find(_own_values, definition, &OwnValue::definition);
+	if (known != _own_values.end()) {
+		return known->attribute;
+	}
+	AttributeInfo info;
+	info.name = _definitions[definition].name + " of its own";
+	info.place = _program->attributes[_definitions[definition].index].place;
+	info.kind = AttributeInfo::Kind::Constant;
+	_program->attributes.push_back(std::move(info));
+	_own_values.push_back({ definition, uint32_t(_program->attributes.size() - 1) });
+	return _own_values.back().attribute;
+}
+
+void Compiler::compile_own_values() {
+	for (size_t i = 0; i < _own_values.size(); ++i) { // grows on the way
+		const OwnValue value = _own_values[i];
+		Definition own = _definitions[value.definition];
+		own.module = own.own_module;
+		own.override_item = nullptr;
+		open_scope(own);
+		_scope.is_attribute = true;
+		_current_value = value.definition;
+		begin_chunk();
+		compile_locals(*own.item);
+		expression(own.item->value);
+		_program->attributes[value.attribute].code = end_chunk(OpCode::Return, own.item->offset);
+	}
+	_current_value = no_node;
+}
+
 uint32_t Compiler::begin_import(uint32_t import_call, uint32_t offset) {
 	const AstImportCall &call = _scope.ast->import_calls[import_call];
 	const std::string path = std::string(call.import) + ".x";

@@ -54,7 +54,8 @@ Compiler::Known Compiler::global_name(const Expr &expr, bool is_required) {
 			emit_constant(_constant_values[definition.index], expr.offset);
 			return _constant_values[definition.index].type;
 		}
-		emit(is_attribute ? OpCode::LoadAttribute : OpCode::CallUser, expr.offset, 1, definition.index);
+		const uint32_t index = is_attribute && is_given_here(found) ? own_value_of(found) : definition.index;
+		emit(is_attribute ? OpCode::LoadAttribute : OpCode::CallUser, expr.offset, 1, index);
 		return ValueType::Void;
 	}
 	if (_scope.is_selector && is_selector_word(expr.name)) {

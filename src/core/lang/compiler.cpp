@@ -191,10 +191,12 @@ void Compiler::compile_definitions() {
 	for (const Definition *definition : others) {
 		compile_definition(*definition);
 	}
+	compile_own_values();
 }
 
 void Compiler::compile_definition(const Definition &definition) {
 	open_scope(definition);
+	_current_value = definition.kind == Definition::Kind::Attribute ? uint32_t(&definition - _definitions.data()) : no_node;
 	begin_chunk();
 	if (definition.kind == Definition::Kind::Rule) {
 		compile_rule(definition);

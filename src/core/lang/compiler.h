@@ -59,6 +59,10 @@ private:
 	void open_scope(const Definition &definition);
 	void compile_rule(const Definition &definition);
 	void compile_value(const Definition &definition);
+	// compile_import.cpp: values that an import has of its own
+	bool is_given_here(uint32_t definition) const;
+	uint32_t own_value_of(uint32_t definition);
+	void compile_own_values();
 	void compile_locals(const AstItem &item);
 	void finish();
 
@@ -206,6 +210,12 @@ private:
 	std::unordered_map<std::string, uint32_t> _symbols;
 	std::unordered_map<std::string_view, uint32_t> _slots;
 	std::unordered_map<std::string, uint32_t> _leaves; // "Wall/2" to rule
+	struct OwnValue {
+		uint32_t definition; // of an attribute of an import that the importing file gives
+		uint32_t attribute; // the one that holds what the import has of its own
+	};
+	std::vector<OwnValue> _own_values;
+	uint32_t _current_value = no_node; // definition of the attribute that is being compiled
 	std::vector<Value> _constant_values; // by attribute: of constants that are plain values, Void of all others
 	bool _has_value_blocks = false; // the block that is being compiled is a function's
 

@@ -240,6 +240,7 @@ void Loader::define_items(uint32_t module) {
 		Definition definition = { kind_of(item), module, &item, nullptr, {}, item.offset, uint32_t(item.params.size()) };
 		definition.style_level = uint32_t(level - chain.begin());
 		definition.is_default_style = style == "Default";
+		definition.own_module = module;
 		define(std::move(definition), here.space, item.name);
 	}
 }

@@ -41,6 +41,7 @@ struct Definition {
 	bool is_default_style = true; // importing files may override it
 	uint32_t inherits = no_node; // attribute whose value this one takes (definition of the importing file)
 	uint32_t replaced = no_node; // the extension as its own file has it, where an import's list has another rule for it
+	uint32_t own_module = 0; // that of `item`
 };
 
 // Names that see each other: a file and what it imports without an id.
