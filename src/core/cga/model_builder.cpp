@@ -122,6 +122,8 @@ void ModelBuilder::begin(const Lot &lot) {
 	_object_frames.clear();
 	_materials.begin();
 	_instances.begin();
+	_report_order.clear();
+	_print_order.clear();
 	++_model;
 }
 
@@ -137,6 +139,8 @@ DerivationResult ModelBuilder::take() {
 			add_default_places(_result.objects[i], _object_frames[i], bounds[i].low, bounds[i].high);
 		}
 	}
+	_report_order.sort(_result.reports);
+	_print_order.sort(_result.prints);
 	_expected = size_of(_result.mesh);
 	trim(_result.mesh);
 	for (ModelObject &object : _result.objects) {
@@ -341,17 +345,19 @@ ModelReport &ModelBuilder::find_report(const Text &key, double value) {
 	return *found;
 }
 
-void ModelBuilder::add_report(const Text &key, double value) {
+void ModelBuilder::add_report(const Text &key, double value, uint32_t depth) {
 	ModelReport &report = find_report(key, value);
+	_report_order.note(size_t(&report - _result.reports.data()), depth);
 	++report.count;
 	report.sum += value;
 	report.min = std::min(report.min, value);
 	report.max = std::max(report.max, value);
 }
 
-void ModelBuilder::add_print(std::string line) {
+void ModelBuilder::add_print(std::string line, uint32_t depth) {
 	constexpr size_t most = 10'000;
 	if (_result.prints.size() < most) {
+		_print_order.note(_result.prints.size(), depth);
 		_result.prints.push_back(std::move(line));
 	}
 }

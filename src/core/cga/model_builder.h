@@ -5,6 +5,7 @@
 
 #include "core/cga/derivation.h"
 #include "core/cga/instance_table.h"
+#include "core/cga/level_order.h"
 #include "core/cga/material_table.h"
 #include "core/cga/shape.h"
 #include "core/geometry/shared_mesh.h"
@@ -31,8 +32,9 @@ public:
 	// False: the shape belongs to no object.
 	bool add_place(const Shape &shape);
 	MaterialTable &materials() { return _materials; }
-	void add_report(const Text &key, double value);
-	void add_print(std::string line); // the first ten thousand are kept
+	// `depth` of the shape that says it.
+	void add_report(const Text &key, double value, uint32_t depth);
+	void add_print(std::string line, uint32_t depth); // the first ten thousand are kept
 
 private:
 	// Of the mesh of the last model: the next one is likely to be as large.
@@ -67,6 +69,7 @@ private:
 	MeshSize _expected;
 	uint64_t _model = 0; // counts them
 	std::vector<ReportPlace> _report_places; // by symbol
+	LevelOrder _report_order, _print_order;
 };
 
 } // namespace pcg::cga

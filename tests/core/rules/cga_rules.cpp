@@ -15,6 +15,7 @@
 #include "core/io/file_assets.h"
 #include "core/io/rule_loader.h"
 #include "appearance_expectations.h"
+#include "face_measures.h"
 
 // Runs every file of tests/rules/cga against the `// expect` lines at its top. The format is in tests/rules/cga/README.md.
 namespace {
@@ -34,6 +35,7 @@ struct RuleTest {
 struct Outcome {
 	cga::DerivationResult model;
 	Diagnostics diagnostics; // of loading and deriving
+	size_t next_print = 0; // behind the one that was met last
 };
 
 std::vector<glm::dvec3> read_points(std::istringstream &line) {
@@ -156,23 +158,6 @@ bool is_near(glm::dvec3 a, glm::dvec3 b) {
 	return is_near(a.x, b.x) && is_near(a.y, b.y) && is_near(a.z, b.z);
 }
 
-double face_area(const Mesh &mesh, const MeshFace &face) {
-	Mesh one;
-	one.positions = mesh.positions;
-	one.loop_ends = mesh.loop_ends;
-	one.faces = { face };
-	return area(one);
-}
-
-// Mean of the corners of its outline.
-glm::dvec3 middle(const Mesh &mesh, const MeshFace &face) {
-	glm::dvec3 sum(0.0);
-	for (const glm::vec3 &point : mesh.loop(face.first_loop)) {
-		sum += glm::dvec3(point);
-	}
-	return sum / double(mesh.loop(face.first_loop).size());
-}
-
 glm::dvec3 read_vector(std::istringstream &line) {
 	glm::dvec3 vector(0.0);
 	line >> vector.x >> vector.y >> vector.z;
@@ -232,15 +217,6 @@ bool has_entrance(const cga::DerivationResult &model, std::istringstream &line) 
 	});
 }
 
-double polygon_area(const std::vector<glm::vec3> &polygon) { // in plan
-	double sum = 0.0;
-	for (size_t i = 0; i < polygon.size(); ++i) {
-		const glm::vec3 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
-		sum += double(a.z) * b.x - double(b.z) * a.x;
-	}
-	return 0.5 * sum;
-}
-
 bool has_zone(const cga::DerivationResult &model, std::istringstream &line) {
 	std::string type;
 	line >> type;
@@ -286,6 +262,7 @@ bool has_report(const cga::DerivationResult &model, std::istringstream &line) {
 		return report.key == name && keys.fits([&](const std::string &key) {
 			return glm::dvec3(key == "sum" ? report.sum : key == "count" ? double(report.count) : key == "min" ? report.min
 							: key == "max"								 ? report.max
+							: key == "place"							 ? double(&report - model.reports.data())
 																		 : NAN);
 		});
 	});
@@ -307,6 +284,17 @@ bool has_diagnostic(const Outcome &outcome, Severity severity, std::istringstrea
 	return std::ranges::any_of(outcome.diagnostics.list(), [&](const Diagnostic &d) { return d.severity == severity && d.id == id; });
 }
 
+// In the order of the lines that expect them.
+bool has_print(Outcome &outcome, std::string_view text) {
+	const auto &prints = outcome.model.prints;
+	const auto found = std::find(prints.begin() + ptrdiff_t(outcome.next_print), prints.end(), text);
+	if (found == prints.end()) {
+		return false;
+	}
+	outcome.next_print = size_t(found - prints.begin()) + 1;
+	return true;
+}
+
 double quantity(const cga::DerivationResult &model, const std::string &what) {
 	return what == "faces" ? double(model.mesh.faces.size())
 			: what == "area" ? area(model.mesh)
@@ -318,7 +306,7 @@ double quantity(const cga::DerivationResult &model, const std::string &what) {
 								: NAN;
 }
 
-bool is_met(const Outcome &outcome, const std::string &expectation) {
+bool is_met(Outcome &outcome, const std::string &expectation) {
 	const cga::DerivationResult &model = outcome.model;
 	std::istringstream line(expectation);
 	std::string what;
@@ -351,7 +339,7 @@ bool is_met(const Outcome &outcome, const std::string &expectation) {
 		return has_diagnostic(outcome, what == "error" ? Severity::Error : Severity::Warning, line);
 	}
 	if (what == "print") {
-		return std::ranges::find(model.prints, expectation.substr(6)) != model.prints.end();
+		return has_print(outcome, std::string_view(expectation).substr(6));
 	}
 	return is_near(read_number(line), quantity(model, what));
 }
@@ -369,7 +357,7 @@ Outcome run(const RuleTest &test) {
 }
 
 void check(const RuleTest &test) {
-	const Outcome outcome = run(test);
+	Outcome outcome = run(test);
 	bool expects_trouble = false;
 	for (const std::string &expectation : test.expectations) {
 		INFO(test.path << ": expect " << expectation << "\n" << to_text(outcome.diagnostics));

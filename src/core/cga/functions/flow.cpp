@@ -10,13 +10,15 @@ namespace pcg::cga {
 namespace {
 
 Value print(Vm &vm, const Args &args) {
-	Context::of(vm).model.add_print(value_text(args[0]));
+	Context &context = Context::of(vm);
+	context.model.add_print(value_text(args[0]), context.shape.depth);
 	return args[0];
 }
 
 Value report(Vm &vm, const Args &args) {
 	const double number = args[1].is_number() ? args[1].number : args[1].is_bool() && args[1].boolean ? 1.0 : 0.0;
-	Context::of(vm).model.add_report(args[0].is_text() ? *args[0].text : Text(), number);
+	Context &context = Context::of(vm);
+	context.model.add_report(args[0].is_text() ? *args[0].text : Text(), number, context.shape.depth);
 	return args[1];
 }
 

@@ -14,12 +14,14 @@ Flow nil(Vm &vm, const Args &) {
 Flow report(Vm &vm, const Args &args) {
 	const Value &value = args[1];
 	const double number = value.is_number() ? value.number : value.is_bool() && value.boolean ? 1.0 : 0.0;
-	Context::of(vm).model.add_report(args[0].is_text() ? *args[0].text : Text(), number);
+	Context &context = Context::of(vm);
+	context.model.add_report(args[0].is_text() ? *args[0].text : Text(), number, context.shape.depth);
 	return Flow::Next;
 }
 
 Flow print(Vm &vm, const Args &args) {
-	Context::of(vm).model.add_print(value_text(args[0]));
+	Context &context = Context::of(vm);
+	context.model.add_print(value_text(args[0]), context.shape.depth);
 	return Flow::Next;
 }
 
