@@ -25,7 +25,7 @@ uint64_t hash_of(glm::dvec3 point) {
 	return hash;
 }
 
-size_t edge_count(std::span<const glm::dvec3> loop) { return loop.size() == 2 ? 1 : loop.size(); } // an edge does not run back
+size_t edge_count(std::span<const glm::dvec3> loop) { return loop.size() <= 2 ? loop.size() - 1 : loop.size(); } // an edge does not run back
 
 } // namespace
 
@@ -82,7 +82,7 @@ bool has_paired_edges(const Geometry &geometry) {
 			return false;
 		}
 	}
-	return true;
+	return edges.size() > 0;
 }
 
 } // namespace pcg::cga

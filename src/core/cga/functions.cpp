@@ -12,6 +12,7 @@ void add_functions(Dialect &dialect) {
 	add_color_functions(dialect);
 	add_array_functions(dialect);
 	add_flow_functions(dialect);
+	extend_math_functions(dialect);
 }
 
 } // namespace pcg::cga

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -37,16 +38,29 @@ bool read_number(Context &context, const Value &value, double most, float &targe
 	return true;
 }
 
+// Stored with single precision: the number that was given, as far as it has few digits or is a step of 255.
+Value as_given(float stored) {
+	const double step = std::round(double(stored) * 255.0) / 255.0;
+	if (float(step) == stored) {
+		return Value::of(step);
+	}
+	std::array<char, 32> digits;
+	const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), stored);
+	double result = 0.0;
+	std::from_chars(digits.data(), end.ptr, result);
+	return Value::of(result);
+}
+
 // --- Colours and factors
 
-template <auto member, int channel> Value read_channel(Vm &vm) { return Value::of(double((look_of(vm).*member)[channel])); }
+template <auto member, int channel> Value read_channel(Vm &vm) { return as_given((look_of(vm).*member)[channel]); }
 template <auto member, int channel, LookPart part> bool write_channel(Context &context, const Value &value) {
 	Look &look = context.own_look();
 	look.mark(part);
 	return read_number(context, value, 1.0, (look.*member)[channel]);
 }
 
-template <float Look::*member> Value read_factor(Vm &vm) { return Value::of(double(look_of(vm).*member)); }
+template <float Look::*member> Value read_factor(Vm &vm) { return as_given(look_of(vm).*member); }
 template <float Look::*member, LookPart part, int most> bool write_factor(Context &context, const Value &value) {
 	Look &look = context.own_look();
 	look.mark(part);
@@ -145,7 +159,7 @@ template <size_t use> bool write_map(Context &context, const Value &value) {
 	return true;
 }
 template <size_t use, size_t field> Value read_map_field(Vm &vm) {
-	return Value::of(double(look_of(vm).texture(TextureUse(use)).*map_fields[field].member));
+	return as_given(look_of(vm).texture(TextureUse(use)).*map_fields[field].member);
 }
 template <size_t use, size_t field> bool write_map_field(Context &context, const Value &value) {
 	if (!value.is_number()) {

@@ -75,7 +75,7 @@ std::vector<bool> asked_about(std::span<const DeriveJob> jobs, std::span<const s
 	}
 	BoundsTree tree;
 	tree.build(boxes);
-	const glm::dvec3 margin(occlusion_distance + 1e-3);
+	const glm::dvec3 margin(occlusion_distance + 1e-3, 1e9, occlusion_distance + 1e-3); // however far apart in height
 	const Program *known = nullptr;
 	ContextUse use;
 	for (const size_t job : asking) {

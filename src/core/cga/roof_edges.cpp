@@ -1,3 +1,5 @@
+#include "core/cga/roof_edges.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -32,6 +34,7 @@ public:
 			}
 		});
 		std::ranges::sort(_eave_points);
+		_is_shed = is_shed_roof(_geometry);
 		std::map<decltype(FaceEdge().key()), ComponentInfo *> by_ends;
 		for (ComponentInfo &info : edges) {
 			by_ends[FaceEdge{ info.from, info.to, 0, 0, 0, 0 }.key()] = &info;
@@ -69,7 +72,7 @@ private:
 		if (planes.size() == 1 && is_eave(planes[0])) {
 			info.component.roof_edge = Eave;
 			info.runs_back = info.from != planes[0].from;
-		} else if (planes.size() == 2) {
+		} else if (planes.size() == 2 && !_is_shed) {
 			const glm::dvec3 along = planes[0].to - planes[0].from;
 			const double bend = glm::dot(glm::cross(_normals[planes[0].face], _normals[planes[1].face]), along);
 			info.component.roof_edge = bend < -1e-9 * glm::length(along) ? Valley : touches_eave(planes[0]) ? Hip : Ridge;
@@ -81,9 +84,23 @@ private:
 	std::vector<FaceEdge> _grouped;
 	std::vector<glm::dvec3> _normals;
 	std::vector<decltype(FaceEdge::key_of(glm::dvec3()))> _eave_points;
+	bool _is_shed = false;
 };
 
 } // namespace
+
+bool is_shed_roof(const Geometry &geometry) {
+	constexpr double margin = 1e-6; // of a unit normal
+	size_t slopes = 0;
+	for (uint32_t f = 0; f < geometry.face_count; ++f) {
+		const double up = face_normal(geometry, geometry.faces[f]).y;
+		const bool is_wall = std::abs(up) <= margin, is_floor = up <= margin - 1.0;
+		if (!is_wall && !is_floor && (up < 0.0 || up >= 1.0 - margin || ++slopes > 1)) {
+			return false;
+		}
+	}
+	return slopes == 1;
+}
 
 void name_roof_edges(const Geometry &geometry, std::vector<ComponentInfo> &edges) {
 	RoofEdges(geometry).name(edges);

@@ -165,7 +165,7 @@ const std::vector<const Occluders *> &Surroundings::near() {
 			continue;
 		}
 		const glm::dvec3 gap = glm::max(glm::max(other->low() - _bounds.high, _bounds.low - other->high()), glm::dvec3(0.0));
-		if (glm::length(gap) <= _distance + same_value) {
+		if (std::hypot(gap.x, gap.z) <= _distance + same_value) { // however far apart in height
 			_near.push_back(other);
 		}
 	}

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "core/cga/roof_edges.h"
 #include "core/geometry/polygon.h"
 
 namespace pcg::cga {
@@ -61,6 +62,9 @@ void Trimmer::add_plane(const TrimSource &source, const GeometryFace &face, cons
 	const glm::dvec3 edge = glm::normalize(to - from);
 	TrimPlane plane;
 	plane.is_horizontal = std::abs(glm::dot(pivot[1], edge)) < horizontal_sine;
+	if (plane.is_horizontal && is_shed_roof(*source.geometry)) {
+		return;
+	}
 	plane.plane.normal = source.frame.axes * (difference / length);
 	plane.plane.offset = glm::dot(plane.plane.normal, source.frame.to_parent(from));
 	_known.push_back(plane);

@@ -86,6 +86,7 @@ template <bool Shape::*member> bool write_flag(Context &context, double value) {
 }
 
 template <uint32_t Shape::*member> Value read_index(Vm &vm) { return Value::of(double(shape_of(vm).*member)); }
+Value read_comp_index(Vm &vm) { return Value::of(shape_of(vm).comp_total > 0 ? double(shape_of(vm).comp_index) : -1.0); }
 
 // The expression in front of an entry's separator, as far as it stands on one line.
 std::string_view selector_text(const Program &program, const BlockEntry &entry) {
@@ -165,7 +166,7 @@ constexpr Row rows[] = {
 	{ "initialShape.symbol", text, read_start_rule, nullptr, "Old name of initialShape.startRule." },
 	{ "split.index", number, read_index<&Shape::split_index>, nullptr, "Number of this part in the last split, from 0." },
 	{ "split.total", number, read_index<&Shape::split_total>, nullptr, "How many parts the last split made." },
-	{ "comp.index", number, read_index<&Shape::comp_index>, nullptr, "Number of this component for its selector, from 0." },
+	{ "comp.index", number, read_comp_index, nullptr, "Number of this component for its selector, from 0; -1 before the first comp()." },
 	{ "comp.total", number, read_index<&Shape::comp_total>, nullptr, "How many components its selector took." },
 	{ "comp.sel", text, read_selector, nullptr, "The selector that took this component." },
 	{ "seedian", number, read_seed, write_seed, "The seed of this shape." },

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "core/lang/compiler.h"
 #include "core/lang/opcode.h"
@@ -261,6 +262,8 @@ Compiler::Known Compiler::call_builtin(uint32_t function, std::string_view name,
 
 namespace {
 
+double number_of(const Value &value) { return value.is_number() ? value.number : NAN; }
+
 // A pure function looks at its arguments only; this is the interpreter that it is given anyway.
 class NoHost : public VmHost {
 public:
@@ -276,7 +279,7 @@ bool Compiler::fold_call(const FunctionSpec &spec, uint32_t begin, uint32_t dept
 	}
 	std::vector<Value> values;
 	for (size_t i = begin; i < code.size(); ++i) {
-		if (code[i].code != OpCode::PushConstant || !_program->constants[code[i].operand].is_number()) {
+		if (code[i].code != OpCode::PushConstant || !std::isfinite(number_of(_program->constants[code[i].operand]))) {
 			return false;
 		}
 		values.push_back(_program->constants[code[i].operand]);

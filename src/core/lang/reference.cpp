@@ -91,7 +91,8 @@ std::string to_markdown(const Dialect &dialect) {
 	}
 	text += "\n## Functions\n\n| function | gives | meaning |\n| --- | --- | --- |\n";
 	for (const FunctionSpec *spec : sorted_by_name(dialect.functions)) {
-		text += "| `" + cell(signature_text(*spec)) + "` | " + std::string(type_name(spec->result)) + " | " + cell(spec->help) + " |\n";
+		text += "| `" + cell(signature_text(*spec)) + "` | " + std::string(spec->result == ValueType::Void ? "a value" : type_name(spec->result)) + " | " +
+				cell(spec->help) + " |\n";
 	}
 	text += "\n## Variables\n\n| variable | is | meaning |\n| --- | --- | --- |\n";
 	for (const VariableSpec *spec : sorted_by_name(dialect.variables)) {

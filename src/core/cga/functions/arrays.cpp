@@ -2,7 +2,6 @@
 #include <cmath>
 #include <numeric>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include "core/base/utf8.h"
@@ -182,39 +181,6 @@ Value index(Vm &vm, const Args &args) {
 	return place >= 0.0 && place < double(array.size()) ? array.values[uint32_t(place)] : vm.default_of(array.element);
 }
 
-// Of a number, or of each element of an array.
-template <auto function> Value each(Vm &vm, const Args &args) {
-	using Result = decltype(function(0.0));
-	if (args[0].is_number()) {
-		return Value::of(function(args[0].number));
-	}
-	if (!args[0].is_array()) {
-		return vm.mismatch("type-mismatch", "this takes a number or an array of numbers", Value::of(Result()));
-	}
-	std::vector<Value> values;
-	for (uint32_t i = 0; i < args[0].array->size(); ++i) {
-		const Value &value = args[0].array->values[i];
-		values.push_back(Value::of(function(value.is_number() ? value.number : 0.0)));
-	}
-	return Value::of(vm.make_array(values, args[0].array->rows, std::is_same_v<Result, bool> ? ValueType::Bool : ValueType::Number));
-}
-
-double round_down(double x) { return std::floor(x); }
-double round_up(double x) { return std::ceil(x); }
-double round_to_nearest(double x) { return std::round(x); }
-// As rint of C and Java; Esri's street rules add 0.01 to have halves go up.
-double round_to_even(double x) { return std::isfinite(x) ? x - std::remainder(x, 1.0) : x; }
-bool is_nan(double x) { return std::isnan(x); }
-bool is_infinite(double x) { return std::isinf(x); }
-
-// The rounding of all dialects, for arrays too.
-template <auto function> void take_arrays(Dialect &dialect, std::string_view name) {
-	FunctionSpec &spec = dialect.functions[size_t(dialect.find_function(name, 1))];
-	spec.params[0].kind = ParamKind::Any;
-	spec.handler = each<function>;
-	spec.result = ValueType::Void;
-}
-
 } // namespace
 
 void add_array_functions(Dialect &dialect) {
@@ -239,13 +205,6 @@ void add_array_functions(Dialect &dialect) {
 	functions.push_back({ "setElems", { array, { "rows", Any }, { "columns", Any }, { "values", Any } }, many, set_elements,
 			"The same by rows and columns." });
 	functions.push_back({ "index", { array, { "place", Number } }, ValueType::Void, index, "Old form of array[place]." });
-	take_arrays<round_down>(dialect, "floor");
-	take_arrays<round_up>(dialect, "ceil");
-	take_arrays<round_to_even>(dialect, "rint");
-	dialect.functions[size_t(dialect.find_function("rint", 1))].help = "The nearest whole number, of halves the even one.";
-	take_arrays<round_to_nearest>(dialect, "round");
-	take_arrays<is_nan>(dialect, "isnan");
-	take_arrays<is_infinite>(dialect, "isinf");
 }
 
 } // namespace pcg::cga

@@ -12,6 +12,7 @@ void add_list_functions(Dialect &dialect); // listItem listSize .. of "a;b;c;"
 void add_color_functions(Dialect &dialect); // colorHexToR colorRamp ..
 void add_array_functions(Dialect &dialect); // size findFirst setElems ..
 void add_flow_functions(Dialect &dialect); // print report isNull getTreeKey
+void extend_math_functions(Dialect &dialect); // after those of all dialects and the rows above
 
 // The text of an argument; empty if it is none.
 std::string_view text_at(const Args &args, size_t i);

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "core/base/regex.h"
 #include "core/base/utf8.h"
@@ -56,6 +57,15 @@ Value to_bool(Vm &, const Args &args) {
 	return value.is_bool() ? value : Value::of(value.is_number() && value.number != 0.0);
 }
 
+// floatArray(values) and the like: each element as float() and the like have it.
+template <auto convert, ValueType element> Value convert_each(Vm &vm, const Args &args) {
+	std::vector<Value> values;
+	for (uint32_t i = 0; i < args[0].array->size(); ++i) {
+		values.push_back(convert(vm, { { args[0].array->values + i, 1 } }));
+	}
+	return Value::of(vm.make_array(values, args[0].array->rows, element));
+}
+
 Value text_length(Vm &, const Args &args) { return Value::of(characters(text_at(args, 0))); }
 
 Value substring(Vm &vm, const Args &args) {
@@ -68,12 +78,14 @@ Value place_of(std::string_view text, size_t byte) {
 	return Value::of(byte == std::string_view::npos ? -1.0 : characters(text.substr(0, byte)));
 }
 
+// Places that overlap an earlier one do not count, as in count().
 Value find(Vm &, const Args &args) {
 	const std::string_view text = text_at(args, 0), wanted = text_at(args, 1);
+	const size_t step = std::max<size_t>(wanted.size(), 1);
 	double left = args.number_or(2, 0.0);
 	size_t at = left >= 0.0 ? text.find(wanted) : std::string_view::npos;
 	while (at != std::string_view::npos && left-- >= 1.0) {
-		at = text.find(wanted, at + 1);
+		at = text.find(wanted, at + step);
 	}
 	return place_of(text, at);
 }
@@ -200,6 +212,10 @@ void add_text_functions(Dialect &dialect) {
 			"The number at the start of a text, 1 or 0 of a truth value; not a number if there is none." });
 	functions.push_back({ "bool", { { "value", Any } }, ValueType::Bool, to_bool,
 			"False of 0 and of the texts \"f\", \"false\", \"0\", \"0.0\"; else true." });
+	const ParamSpec array = { "values", Array };
+	functions.push_back({ "floatArray", { array }, ValueType::Array, convert_each<to_number, ValueType::Number>, "Each element as float() has it." });
+	functions.push_back({ "boolArray", { array }, ValueType::Array, convert_each<to_bool, ValueType::Bool>, "Each element as bool() has it." });
+	functions.push_back({ "stringArray", { array }, ValueType::Array, convert_each<to_text, ValueType::Text>, "Each element as str() has it." });
 	functions.push_back({ "sel", { text }, ValueType::Text, to_text, "A selector or the name of an attribute, made of a text." });
 	functions.push_back({ "len", { text }, ValueType::Number, text_length, "Length of a text in characters." });
 	functions.push_back({ "substring", { text, { "from", Number }, { "to", Number } }, ValueType::Text, substring,

@@ -41,16 +41,15 @@ Flow color_from_numbers(Vm &vm, const Args &args) {
 	return Flow::Next;
 }
 
-// The opacity map is the same picture if that has an alpha channel.
+// The opacity map is the same picture if that has an alpha channel, else there is none.
 Flow texture(Vm &vm, const Args &args) {
 	Context &context = Context::of(vm);
 	if (!args[0].is_text()) {
 		return Flow::Next;
 	}
 	const Text &name = *args[0].text;
-	if (set_texture(context, TextureUse::Color, name).has_alpha) {
-		set_texture(context, TextureUse::Opacity, name);
-	}
+	const bool has_alpha = set_texture(context, TextureUse::Color, name).has_alpha;
+	set_texture(context, TextureUse::Opacity, has_alpha ? name : Text());
 	return Flow::Next;
 }
 
