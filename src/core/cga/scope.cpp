@@ -36,13 +36,15 @@ glm::dmat3 rotation_from_euler(glm::dvec3 degrees) {
 			glm::dvec3(sa * sg + ca * sb * cg, ca * sb * sg - sa * cg, ca * cb));
 }
 
-glm::dvec3 euler_from_rotation(const glm::dmat3 &rotation) {
+glm::dvec3 euler_from_rotation(const glm::dmat3 &turn) {
+	const glm::dmat3 rotation = turn + glm::dmat3(0.0); // -0 becomes 0: a rule would print it, and half a turn would be -180
 	const double r20 = rotation[0][2], r21 = rotation[1][2], r22 = rotation[2][2];
 	const double r00 = rotation[0][0], r10 = rotation[0][1];
+	const double about_y = std::asin(std::clamp(0.0 - r20, -1.0, 1.0));
 	if (std::abs(r20) > 1.0 - 1e-12) { // y at 90 degrees: x and z turn about the same line, z is 0
-		return glm::dvec3(std::atan2(r20 < 0.0 ? rotation[1][0] : -rotation[1][0], rotation[1][1]), std::asin(std::clamp(-r20, -1.0, 1.0)), 0.0) / degree;
+		return glm::dvec3(std::atan2(r20 < 0.0 ? rotation[1][0] : 0.0 - rotation[1][0], rotation[1][1]), about_y, 0.0) / degree;
 	}
-	return glm::dvec3(std::atan2(r21, r22), std::asin(std::clamp(-r20, -1.0, 1.0)), std::atan2(r10, r00)) / degree;
+	return glm::dvec3(std::atan2(r21, r22), about_y, std::atan2(r10, r00)) / degree;
 }
 
 } // namespace pcg::cga
