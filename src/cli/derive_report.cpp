@@ -64,7 +64,13 @@ json objects_json(const cga::DerivationResult &model) {
 json reports_json(const cga::DerivationResult &model) {
 	json map = json::object(); // in order of first use
 	for (const cga::ModelReport &report : model.reports) {
-		map[report.key] = { { "n", report.count }, { "sum", report.sum }, { "min", report.min }, { "max", report.max },
+		const std::string name = report_name(model.reports, report);
+		if (report.type == ValueType::Text) {
+			map[name] = { { "n", report.count }, { "sum", report.most_frequent_text() }, { "min", report.texts.begin()->first },
+				{ "max", report.texts.rbegin()->first }, { "avg", report.most_frequent_text() } };
+			continue;
+		}
+		map[name] = { { "n", report.count }, { "sum", report.sum }, { "min", report.min }, { "max", report.max },
 			{ "avg", report.sum / double(std::max<uint64_t>(report.count, 1)) } };
 	}
 	return map;
@@ -132,15 +138,13 @@ json shapes_json(const DeriveOutcome &outcome) {
 
 void add_reports(cga::DerivationResult &sum, const cga::DerivationResult &model) {
 	for (const cga::ModelReport &report : model.reports) {
-		const auto found = std::ranges::find(sum.reports, report.key, &cga::ModelReport::key);
+		const auto is_same = [&](const cga::ModelReport &other) { return other.key == report.key && other.type == report.type; };
+		const auto found = std::ranges::find_if(sum.reports, is_same);
 		if (found == sum.reports.end()) {
 			sum.reports.push_back(report);
-			continue;
+		} else {
+			found->merge(report);
 		}
-		found->count += report.count;
-		found->sum += report.sum;
-		found->min = std::min(found->min, report.min);
-		found->max = std::max(found->max, report.max);
 	}
 }
 
@@ -227,8 +231,14 @@ void print_summary(const DeriveOutcome &outcome) {
 		std::printf("object %s at %.2f %.2f %.2f, %zu places\n", object.tag.c_str(), object.frame[3].x, object.frame[3].y, object.frame[3].z, object.places.size());
 	}
 	for (const cga::ModelReport &report : model.reports) {
-		std::printf("report %s: n %llu sum %g min %g max %g\n", report.key.c_str(), static_cast<unsigned long long>(report.count), report.sum, report.min,
-				report.max);
+		const std::string name = report_name(model.reports, report);
+		const auto count = static_cast<unsigned long long>(report.count);
+		if (report.type == ValueType::Text) {
+			std::printf("report %s: n %llu most \"%s\" min \"%s\" max \"%s\"\n", name.c_str(), count, std::string(report.most_frequent_text()).c_str(),
+					report.texts.begin()->first.c_str(), report.texts.rbegin()->first.c_str());
+		} else {
+			std::printf("report %s: n %llu sum %g min %g max %g\n", name.c_str(), count, report.sum, report.min, report.max);
+		}
 	}
 	for (const std::string &line : model.prints) {
 		std::printf("%s\n", line.c_str());

@@ -182,14 +182,14 @@ void Diagnostics::warning(std::string_view id, std::string message, std::string 
 
 std::string_view closest_name(std::string_view name, const std::vector<std::string_view> &candidates) {
 	std::string_view best;
-	// Half steps. A third of the letters may differ (at least one), two thirds where a whole word is shared.
+	// Half steps. A third of the letters may differ (at least one), two thirds where a whole word is shared; of a single letter only its case.
 	size_t best_distance = 0xFFFF;
 	for (std::string_view candidate : candidates) {
 		if (candidate.size() > longest_name || name.size() > longest_name) {
 			continue;
 		}
 		const size_t letters = shares_a_word(name, candidate) ? name.size() * 2 / 3 : name.size() / 3;
-		const size_t allowed = std::min(2 * (letters > 0 ? letters : 1), best_distance - 1);
+		const size_t allowed = std::min(name.size() == 1 ? 1 : 2 * (letters > 0 ? letters : 1), best_distance - 1);
 		const size_t distance = edit_distance(name, candidate, allowed);
 		if (distance <= allowed) {
 			best_distance = distance;

@@ -137,9 +137,10 @@ const Geometry *AssetStore::geometry(Model &model, Up up, ModelBuilder &builder)
 	if (made != nullptr) {
 		const bool is_closed = encloses_volume(*made);
 		_arena.release(mark);
-		Geometry instance = *geometry.finish(_arena, is_closed);
-		instance.is_instance = true;
-		made = _arena.make(instance);
+		Geometry *instance = _arena.make(*geometry.finish(_arena, is_closed));
+		instance->is_instance = true;
+		instance->inserted = instance;
+		made = instance;
 		builder.add_model(*made, turn, *model.asset->shown);
 	}
 	return made;
@@ -152,11 +153,14 @@ const Geometry *AssetStore::primitive(PrimitiveKind kind, uint32_t a, uint32_t b
 			return known.geometry;
 		}
 	}
-	if (_primitives.size() >= most) {
-		return make_primitive(kind, a, b, arena);
+	const bool is_kept = _primitives.size() < most;
+	Arena &place = is_kept ? _arena : arena;
+	Geometry *geometry = place.make(*make_primitive(kind, a, b, place));
+	geometry->inserted = geometry;
+	if (is_kept) {
+		_primitives.push_back({ kind, a, b, geometry });
 	}
-	_primitives.push_back({ kind, a, b, make_primitive(kind, a, b, _arena) });
-	return _primitives.back().geometry;
+	return geometry;
 }
 
 bool AssetStore::is_first_time(Model &model) {

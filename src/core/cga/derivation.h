@@ -13,6 +13,7 @@
 #include <glm/vec3.hpp>
 
 #include "core/base/diagnostic.h"
+#include "core/cga/model_report.h"
 #include "core/geometry/mesh.h"
 #include "core/lang/attribute_override.h"
 
@@ -114,15 +115,6 @@ struct ModelInstance {
 	glm::dvec3 origin{ 0.0 };
 };
 
-// report(key, value): CGA reference, section 7.7.
-struct ModelReport {
-	std::string key;
-	uint64_t count = 0;
-	double sum = 0.0;
-	double min = 0.0;
-	double max = 0.0;
-};
-
 struct DerivationResult {
 	Mesh mesh; // without the objects and the instances
 	std::vector<Material> materials; // of all meshes
@@ -131,7 +123,7 @@ struct DerivationResult {
 	std::vector<ModelEntrance> entrances;
 	std::vector<ModelZone> zones;
 	std::vector<ModelObject> objects;
-	std::vector<ModelReport> reports; // in order of their first use
+	std::vector<ModelReport> reports; // one for each key and type of value, in order of their first use
 	std::vector<std::string> prints;
 	Diagnostics diagnostics;
 	uint64_t shape_count = 0; // all, leaves included

@@ -93,7 +93,10 @@ template <ComponentKind kind> Value component_count(Vm &vm, const Args &) {
 
 Value rectangular(Vm &vm, const Args &args) { return Value::of(is_rectangular(shape_of(vm), args.number_or(0, 0.0))); }
 Value planar(Vm &vm, const Args &args) { return Value::of(is_planar(shape_of(vm), args.number_or(0, 0.25))); }
-Value instanced(Vm &vm, const Args &) { return Value::of(shape_of(vm).geometry != nullptr && shape_of(vm).geometry->is_instance); }
+Value instanced(Vm &vm, const Args &) {
+	const Geometry *geometry = shape_of(vm).geometry;
+	return Value::of(geometry != nullptr && geometry->inserted == geometry);
+}
 
 } // namespace
 
@@ -121,7 +124,7 @@ void add_geometry_functions(Dialect &dialect) {
 	add("geometry.isRectangular", { degrees }, ValueType::Bool, rectangular, "Whether every face has four right angles.");
 	add("geometry.isPlanar", { degrees }, ValueType::Bool, planar, "Whether the corners of every face turn in one plane; 0.25 degrees if nothing is given.");
 	add("geometry.isOriented", { side }, ValueType::Bool, has_side, "Whether the selector of comp(f) would take any face.");
-	add("geometry.isInstanced", {}, ValueType::Bool, instanced, "Whether the geometry is an asset as i() inserted it, not cut or changed since.");
+	add("geometry.isInstanced", {}, ValueType::Bool, instanced, "Whether the geometry is an asset or a built-in body as it was inserted, not cut or changed since.");
 }
 
 } // namespace pcg::cga

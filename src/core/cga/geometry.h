@@ -47,7 +47,8 @@ struct Geometry {
 	bool is_closed = false; // the surface of a volume: cuts are capped
 	// One rectangle or one box that fills its bounds, without corner data: a cut of it is the same geometry, scaled.
 	bool is_block = false;
-	bool is_instance = false; // an asset as it was inserted
+	bool is_instance = false; // a model from a file: it and copies of it
+	const Geometry *inserted = nullptr; // itself, if it is a model or a built-in body as it was inserted; a copy of it was changed
 
 	uint32_t first_point(uint32_t loop) const { return loop == 0 ? 0 : loop_ends[loop - 1]; }
 	std::span<const glm::dvec3> loop(uint32_t index) const {

@@ -20,6 +20,13 @@ std::pair<double, double> growth(glm::dvec3 scale) {
 	return { sizes[0] * sizes[1], sizes[1] * sizes[2] };
 }
 
+// The geometry under which the table knows it: a cut of a block is the block, scaled.
+const Geometry *uncut(const Geometry &geometry) {
+	const Geometry *whole = geometry.inserted;
+	const bool is_cut = whole != nullptr && geometry.is_block && geometry.corners == nullptr && geometry.points == whole->points && geometry.faces == whole->faces;
+	return is_cut ? whole : &geometry;
+}
+
 } // namespace
 
 std::vector<uint16_t> materials_in(const Geometry &geometry) {
@@ -54,7 +61,7 @@ void InstanceTable::add_model(const Geometry &geometry, const glm::dmat3 &turn, 
 }
 
 bool InstanceTable::add(const Shape &shape, const Frame &frame, MaterialTable &materials, DerivationResult &result) {
-	const auto found = _models.find(shape.geometry);
+	const auto found = _models.find(uncut(*shape.geometry));
 	if (found == _models.end()) {
 		return false;
 	}

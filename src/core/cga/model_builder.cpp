@@ -326,17 +326,20 @@ void ModelBuilder::add_default_places(ModelObject &object, const Frame &frame, g
 	}
 }
 
-ModelReport &ModelBuilder::find_report(const Text &key, double value) {
+ModelReport &ModelBuilder::find_report(const Text &key, ValueType type) {
 	const bool is_of_program = key.symbol != no_symbol;
 	if (is_of_program && key.symbol >= _report_places.size()) {
 		_report_places.resize(key.symbol + 1u);
 	}
-	if (is_of_program && _report_places[key.symbol].model == _model) {
+	if (is_of_program && _report_places[key.symbol].model == _model && _result.reports[_report_places[key.symbol].index].type == type) {
 		return _result.reports[_report_places[key.symbol].index];
 	}
-	auto found = std::ranges::find(_result.reports, key.view, &ModelReport::key);
+	auto found = std::ranges::find_if(_result.reports, [&](const ModelReport &report) { return report.key == key.view && report.type == type; });
 	if (found == _result.reports.end()) {
-		_result.reports.push_back({ std::string(key.view), 0, 0.0, value, value });
+		ModelReport report;
+		report.key = key.view;
+		report.type = type;
+		_result.reports.push_back(std::move(report));
 		found = _result.reports.end() - 1;
 	}
 	if (is_of_program) {
@@ -345,13 +348,10 @@ ModelReport &ModelBuilder::find_report(const Text &key, double value) {
 	return *found;
 }
 
-void ModelBuilder::add_report(const Text &key, double value, uint32_t depth) {
-	ModelReport &report = find_report(key, value);
+void ModelBuilder::add_report(const Text &key, const Value &value, uint32_t depth) {
+	ModelReport &report = find_report(key, value.type);
 	_report_order.note(size_t(&report - _result.reports.data()), depth);
-	++report.count;
-	report.sum += value;
-	report.min = std::min(report.min, value);
-	report.max = std::max(report.max, value);
+	report.add(value);
 }
 
 void ModelBuilder::add_print(std::string line, uint32_t depth) {

@@ -33,7 +33,7 @@ public:
 	bool add_place(const Shape &shape);
 	MaterialTable &materials() { return _materials; }
 	// `depth` of the shape that says it.
-	void add_report(const Text &key, double value, uint32_t depth);
+	void add_report(const Text &key, const Value &value, uint32_t depth); // a number, a truth value or a text
 	void add_print(std::string line, uint32_t depth); // the first ten thousand are kept
 
 private:
@@ -42,7 +42,7 @@ private:
 		size_t positions = 0, loops = 0, faces = 0;
 		std::array<size_t, uv_set_count> uvs = {};
 	};
-	// Where the report of a text of the program stands, if the model has one.
+	// Where the last report of a text of the program stands, if the model has one.
 	struct ReportPlace {
 		uint64_t model = 0;
 		size_t index = 0;
@@ -54,7 +54,7 @@ private:
 	template <typename MaterialOf> void add_faces(Mesh &mesh, const Shape &shape, const Frame &to_target, MaterialOf material_of);
 	Mesh make_shown(const Geometry &geometry, const glm::dmat3 &turn);
 	void add_corner_data(Mesh &mesh, const Shape &shape, const GeometryFace &face, const Frame &to_target);
-	ModelReport &find_report(const Text &key, double value);
+	ModelReport &find_report(const Text &key, ValueType type);
 	// `low` and `high` bound the object in its frame.
 	void add_default_places(ModelObject &object, const Frame &frame, glm::dvec3 low, glm::dvec3 high);
 	glm::vec3 to_world(glm::dvec3 point) const { return glm::vec3(point + _lot.origin); }

@@ -129,6 +129,8 @@ Value read_seed(Vm &vm) {
 	const uint64_t seed = shape_of(vm).seed;
 	return Value::of(double(seed < small_seeds ? seed : seed >> 33));
 }
+// Fits a double exactly and prints in 15 digits.
+Value read_uid(Vm &vm) { return Value::of(double(derive_seed(shape_of(vm).seed, 0) >> 15)); }
 bool write_seed(Context &context, double value) {
 	const bool is_small = value >= 0.0 && value < double(small_seeds) && value == std::floor(value);
 	context.reseed(is_small ? uint64_t(value) : derive_seed(uint64_t(int64_t(std::clamp(value * 1024.0, -9e15, 9e15))), 0));
@@ -170,6 +172,7 @@ constexpr Row rows[] = {
 	{ "comp.total", number, read_index<&Shape::comp_total>, nullptr, "How many components its selector took." },
 	{ "comp.sel", text, read_selector, nullptr, "The selector that took this component." },
 	{ "seedian", number, read_seed, write_seed, "The seed of this shape." },
+	{ "uid", number, read_uid, nullptr, "A whole number that belongs to this shape." },
 	{ "trim.horizontal", ValueType::Bool, read_flag<&Shape::trims_horizontally>, write_flag<&Shape::trims_horizontally>,
 			"Whether inserted geometry is cut at edges less than 40 degrees from the floor of their face; off unless it is set." },
 	{ "trim.vertical", ValueType::Bool, read_flag<&Shape::trims_vertically>, write_flag<&Shape::trims_vertically>,

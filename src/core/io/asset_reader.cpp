@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/geometry/polygon.h"
+#include "core/io/built_in_pictures.h"
 #include "core/io/mtl.h"
 #include "core/io/obj.h"
 #include "core/lang/source.h"
@@ -132,6 +133,9 @@ void complete_corners(Mesh &mesh) {
 }
 
 Result<std::string> read_picture(const FileTree &files, const std::string &name, size_t limit) {
+	if (const std::optional<Picture> picture = built_in_picture(name)) {
+		return encode_png(*picture);
+	}
 	const size_t mark = name.rfind('#');
 	size_t index = 0;
 	if (mark == std::string::npos || files.has_file(name)) {

@@ -17,7 +17,8 @@ struct AssetLimits {
 // By the file's ending: .obj (with its .mtl), .glb, .gltf.
 Asset read_asset(const FileTree &files, const std::string &path, const AssetLimits &limits = {});
 
-// The bytes of a picture that a material names: of the file, or of the picture within a glTF file that "model.glb#2" means (counted from 0).
+// The bytes of a picture that a material names: of the file, or of the picture within a glTF file that "model.glb#2" means (counted from 0); of a
+// built-in picture, a PNG.
 Result<std::string> read_picture(const FileTree &files, const std::string &name, size_t limit);
 
 // What a reader does last: corners lack what other corners have, and normals go if they say nothing that the faces do not say.

@@ -1,5 +1,6 @@
 #include "core/io/file_assets.h"
 
+#include "core/io/built_in_pictures.h"
 #include "core/io/text_asset.h"
 
 namespace pcg {
@@ -105,6 +106,10 @@ const FileAssets::File *FileAssets::image(std::string_view name, std::string_vie
 }
 
 glm::uvec2 FileAssets::image_size(std::string_view name, std::string_view rule_file) const {
+	const glm::uvec2 built_in = built_in_picture_size(name);
+	if (built_in.x > 0) {
+		return built_in;
+	}
 	const File *found = image(name, rule_file);
 	return found != nullptr ? found->image.size : glm::uvec2(0);
 }

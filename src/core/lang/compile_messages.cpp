@@ -59,7 +59,7 @@ std::string Compiler::did_you_mean(std::string_view name, bool wants_command) co
 		names.insert(names.end(), values.begin(), values.end());
 	}
 	const std::string_view closest = closest_name(name, names);
-	if (closest.empty()) {
+	if (closest.empty() || closest == name) { // the same name in another file that takes part
 		return {};
 	}
 	const std::string question = "did you mean `" + std::string(closest) + "`?";

@@ -292,7 +292,7 @@ constexpr Symbol symbols[] = { { "-->", TokenKind::Arrow }, { "->", TokenKind::P
 	{ ")", TokenKind::CloseParen }, { "{", TokenKind::OpenBrace }, { "}", TokenKind::CloseBrace }, { "[", TokenKind::OpenBracket },
 	{ "]", TokenKind::CloseBracket }, { ",", TokenKind::Comma }, { ";", TokenKind::Semicolon }, { "@", TokenKind::At },
 	{ "'", TokenKind::Quote }, { "~", TokenKind::Tilde }, { "+", TokenKind::Plus }, { "*", TokenKind::Star }, { "/", TokenKind::Slash },
-	{ "%", TokenKind::Percent } };
+	{ "%", TokenKind::Percent }, { "^", TokenKind::Caret } };
 
 // By character: where its group begins, plus one; 0 for characters that begin no symbol.
 constexpr std::array<uint8_t, 128> make_symbol_groups() {

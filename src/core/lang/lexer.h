@@ -35,6 +35,7 @@ enum class TokenKind : uint8_t {
 	Tilde, // ~ flexible
 	Dot, // before the rule of a dynamic import: imp(a = 1).Rule
 	Ellipsis,
+	Caret, // in annotations: shape=Name^2
 	// Operators from here on; the element-wise ones of arrays carry `is_elementwise`.
 	Plus,
 	Minus,

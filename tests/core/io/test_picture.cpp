@@ -1,5 +1,8 @@
 #include <doctest/doctest.h>
 
+#include "core/io/asset_reader.h"
+#include "core/io/built_in_pictures.h"
+#include "core/io/file_assets.h"
 #include "core/io/picture.h"
 
 using namespace pcg;
@@ -54,4 +57,26 @@ TEST_CASE("roughness lies in green, metal in blue, and what is missing is 1") {
 	CHECK(metallic_roughness(&roughness, &metallic).pixels == std::vector<uint8_t>{ 255, 10, 31, 255, 255, 20, 41, 255 });
 	CHECK(metallic_roughness(&roughness, nullptr).pixels == std::vector<uint8_t>{ 255, 10, 255, 255, 255, 20, 255, 255 });
 	CHECK(metallic_roughness(nullptr, &metallic).pixels == std::vector<uint8_t>{ 255, 255, 31, 255, 255, 255, 41, 255 });
+}
+
+TEST_CASE("pictures that are built in are read and measured without files") {
+	for (const auto &[name, size] : { std::pair("builtin:default", 128u), std::pair("builtin:uvtest.png", 512u) }) {
+		const Result<std::string> bytes = read_picture(DiskTree(), name, size_t(1) << 20);
+		REQUIRE(bytes);
+		const auto picture = decode_picture(*bytes);
+		REQUIRE(picture.has_value());
+		CHECK(picture->size == glm::uvec2(size));
+		CHECK(FileAssets().image_size(name, "rules/a.cga") == glm::uvec2(size));
+	}
+	// Black in the lower left corner, and each eighth pixel another field.
+	const auto checkers = built_in_picture("builtin:default");
+	CHECK(checkers->pixel({ 0, 127 })[0] == 0);
+	CHECK(checkers->pixel({ 8, 127 })[0] == 255);
+	CHECK(checkers->pixel({ 8, 119 })[0] == 0);
+	// Red grows along u, green upwards: in the file from the last row to the first.
+	const auto test = built_in_picture("builtin:uvtest.png");
+	CHECK(test->pixel({ 32, 480 })[0] < test->pixel({ 160, 480 })[0]);
+	CHECK(test->pixel({ 32, 480 })[1] < test->pixel({ 32, 352 })[1]);
+	CHECK(!built_in_picture("builtin:cube").has_value());
+	CHECK(built_in_picture_size("builtin:cube") == glm::uvec2(0));
 }

@@ -16,13 +16,12 @@
 #include "core/io/rule_loader.h"
 #include "appearance_expectations.h"
 #include "face_measures.h"
+#include "report_expectations.h"
 
 // Runs every file of tests/rules/cga against the `// expect` lines at its top. The format is in tests/rules/cga/README.md.
 namespace {
 
 using namespace pcg;
-
-constexpr double tolerance = 1e-3;
 
 struct RuleTest {
 	std::string path;
@@ -151,23 +150,12 @@ RuleTest read_test(const std::filesystem::path &path) {
 	return test;
 }
 
-bool is_near(double a, double b) {
-	return std::abs(a - b) <= tolerance * std::max(1.0, std::abs(b));
-}
-bool is_near(glm::dvec3 a, glm::dvec3 b) {
-	return is_near(a.x, b.x) && is_near(a.y, b.y) && is_near(a.z, b.z);
 }
 
 glm::dvec3 read_vector(std::istringstream &line) {
 	glm::dvec3 vector(0.0);
 	line >> vector.x >> vector.y >> vector.z;
 	return vector;
-}
-
-double read_number(std::istringstream &line) {
-	double number = NAN;
-	line >> number;
-	return number;
 }
 
 // "at 1 2 3 facing 0 0 1 area 4": each thing of the list must fit all keys of the line.
@@ -250,20 +238,6 @@ bool has_place(const cga::DerivationResult &model, std::istringstream &line) {
 	return std::ranges::any_of(model.objects, [&](const cga::ModelObject &object) {
 		return std::ranges::any_of(object.places, [&](const cga::ModelPlace &place) {
 			return keys.fits([&](const std::string &key) { return glm::dvec3(key == "at" ? place.position : place.facing); });
-		});
-	});
-}
-
-bool has_report(const cga::DerivationResult &model, std::istringstream &line) {
-	std::string name;
-	line >> name;
-	const Keys keys(line);
-	return std::ranges::any_of(model.reports, [&](const cga::ModelReport &report) {
-		return report.key == name && keys.fits([&](const std::string &key) {
-			return glm::dvec3(key == "sum" ? report.sum : key == "count" ? double(report.count) : key == "min" ? report.min
-							: key == "max"								 ? report.max
-							: key == "place"							 ? double(&report - model.reports.data())
-																		 : NAN);
 		});
 	});
 }

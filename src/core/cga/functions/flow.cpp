@@ -3,6 +3,7 @@
 
 #include "core/cga/context.h"
 #include "core/cga/functions/functions.h"
+#include "core/cga/operations/operations.h"
 
 // print, report, isNull, getTreeKey, clamp (CGA reference, sections 1.4, 7.7 and 8.1).
 namespace pcg::cga {
@@ -16,9 +17,7 @@ Value print(Vm &vm, const Args &args) {
 }
 
 Value report(Vm &vm, const Args &args) {
-	const double number = args[1].is_number() ? args[1].number : args[1].is_bool() && args[1].boolean ? 1.0 : 0.0;
-	Context &context = Context::of(vm);
-	context.model.add_report(args[0].is_text() ? *args[0].text : Text(), number, context.shape.depth);
+	report_value(vm, args);
 	return args[1];
 }
 

@@ -12,10 +12,7 @@ Flow nil(Vm &vm, const Args &) {
 }
 
 Flow report(Vm &vm, const Args &args) {
-	const Value &value = args[1];
-	const double number = value.is_number() ? value.number : value.is_bool() && value.boolean ? 1.0 : 0.0;
-	Context &context = Context::of(vm);
-	context.model.add_report(args[0].is_text() ? *args[0].text : Text(), number, context.shape.depth);
+	report_value(vm, args);
 	return Flow::Next;
 }
 
@@ -42,12 +39,23 @@ Flow inlined(Vm &vm, const Args &args) {
 
 } // namespace
 
+void report_value(Vm &vm, const Args &args) {
+	const Value &value = args[1];
+	if (!value.is_number() && !value.is_bool() && !value.is_text()) {
+		vm.warn("report-type", "only numbers, truth values and texts can be reported; this is left out", "report the elements of an array one by one");
+		return;
+	}
+	Context &context = Context::of(vm);
+	context.model.add_report(args[0].is_text() ? *args[0].text : Text(), value, context.shape.depth);
+}
+
 void add_flow_operations(Dialect &dialect) {
 	using enum ParamKind;
 	auto &operations = dialect.operations;
 	operations.push_back({ "NIL", {}, BlockKind::None, nil, "Drops the shape." });
 	operations.push_back({ "report", { { "key", Text }, { "value", Any } }, BlockKind::None, report,
-			"Adds a number to the model's list of reports: sum, average, smallest, largest and count for each key." });
+			"Adds a number, a truth value or a text to the model's list of reports: count, sum, average, smallest and largest for each key and type. Truth "
+			"values count as 0 and 1; the sum and the average of texts are the one that came most often." });
 	operations.push_back({ "inline", { { "strategy", Word, "append unify recompose" } }, BlockKind::Bodies, inlined,
 			"Runs a rule or operations at once; the shapes that come out are put together and become the current shape: as they are, as one body, or with "
 			"common vertices where they touch." });

@@ -36,6 +36,8 @@ void add_place_functions(Dialect &dialect); // convert ..
 void add_context_functions(Dialect &dialect); // inside touches minimumDistance ..
 void add_uv_functions(Dialect &dialect); // geometry.du ..
 void add_file_functions(Dialect &dialect); // fileExists assetInfo ..
+// Of report(key, value), which is an operation and a function.
+void report_value(Vm &vm, const Args &args);
 // Of set(): false if the variable cannot be written to.
 bool write_variable(Vm &vm, uint32_t variable, const Value &value);
 

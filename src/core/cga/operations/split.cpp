@@ -110,6 +110,8 @@ bool cut(Context &context, Shape &child, int axis, double low, double high) {
 		const double factor = (std::min(high, to) - std::max(low, from)) / (to - from);
 		if (geometry.corners != nullptr) {
 			cut_corners(context, child, axis, (std::max(low, from) - from) / (to - from), (std::min(high, to) - from) / (to - from));
+		} else if (geometry.inserted == &geometry) {
+			child.geometry = context.arena.make(geometry);
 		}
 		child.geometry_offset[axis] = std::max(low, from) + (child.geometry_offset[axis] - from) * factor;
 		child.geometry_scale[axis] *= factor;
