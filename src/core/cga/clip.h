@@ -51,6 +51,7 @@ private:
 		double at; // on the cut
 		glm::dvec3 point;
 		uint32_t corner;
+		bool is_kept; // the face gets it as a corner
 	};
 	struct Segment {
 		glm::dvec3 from, to;
@@ -78,6 +79,8 @@ private:
 	glm::dvec3 cut_point(const Geometry &geometry, uint32_t a, uint32_t b, CornerOrigin &origin) const;
 	void add_chain_point(glm::dvec3 point, CornerOrigin origin);
 	void collect_flush_corners(const Geometry &geometry, const GeometryFace &face);
+	void unite_flush_corners();
+	bool has_neighbor(const Geometry &geometry, glm::dvec3 from, glm::dvec3 to) const;
 	void add_cut(const Chain &from, const Chain &to);
 	void cancel_opposite_cuts();
 	void pair_chains();
