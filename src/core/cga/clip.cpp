@@ -10,20 +10,37 @@
 
 namespace pcg::cga {
 
+namespace {
+
+// `enter`: the last corner of the outline that is out; `inside`: how many are in.
+bool comes_in_once(std::span<const double> distances, uint32_t &enter, uint32_t &inside) {
+	const uint32_t count = uint32_t(distances.size());
+	uint32_t enters = 0;
+	bool was_in = distances[count - 1] > 0.0;
+	for (uint32_t i = 0; i < count; ++i) {
+		const bool is_in = distances[i] > 0.0;
+		inside += is_in;
+		if (!was_in && is_in) {
+			enter = i > 0 ? i - 1 : count - 1;
+			++enters;
+		}
+		was_in = is_in;
+	}
+	return enters == 1;
+}
+
+} // namespace
+
 const Geometry *Clipper::clip(const Geometry &geometry, const Plane &plane, Arena &arena, Cuts cuts) {
 	_uvs = nullptr;
 	_normal = plane.normal;
 	_has_flush_edges = false;
 	measure(geometry, plane);
-	bool is_whole = false;
-	if (!is_cut(is_whole)) {
-		return is_whole ? &geometry : nullptr;
+	const Sides all = sides_of(0, geometry.point_count);
+	if (!all.are_cut()) {
+		return all.most > 0.0 ? &geometry : nullptr;
 	}
-	_builder.begin(geometry);
-	_cuts.clear();
-	for (uint32_t i = 0; i < geometry.face_count; ++i) {
-		clip_face(geometry, geometry.faces[i]);
-	}
+	clip_faces(geometry, all);
 	const bool is_hollow = geometry.is_closed || geometry.face_count > 2;
 	const bool is_capped = cuts == Cuts::Closed && is_hollow && add_caps(plane);
 	return _builder.finish(arena, geometry.is_closed && is_capped);
@@ -33,24 +50,32 @@ const Geometry *Clipper::clip_uv(const Geometry &geometry, size_t set, int axis,
 	_uvs = geometry.uvs(set);
 	_uv_axis = axis;
 	measure_uv(geometry, at, keeps_above);
-	bool is_whole = false;
-	if (!is_cut(is_whole)) {
-		return is_whole ? &geometry : nullptr;
+	const Sides all = sides_of(0, geometry.point_count);
+	if (!all.are_cut()) {
+		return all.most > 0.0 ? &geometry : nullptr;
 	}
-	_builder.begin(geometry);
-	_cuts.clear();
-	for (uint32_t i = 0; i < geometry.face_count; ++i) {
-		clip_face(geometry, geometry.faces[i]);
-	}
+	clip_faces(geometry, all);
 	return _builder.finish(arena, false);
 }
 
-// False: all of it stays, or nothing.
-bool Clipper::is_cut(bool &is_whole) const {
-	const bool has_inside = std::ranges::any_of(_distances, [](double d) { return d > 0.0; });
-	const bool has_outside = std::ranges::any_of(_distances, [](double d) { return d < 0.0; });
-	is_whole = has_inside && !has_outside;
-	return has_inside && has_outside;
+void Clipper::clip_faces(const Geometry &geometry, const Sides &all) {
+	_builder.begin(geometry);
+	_cuts.clear();
+	for (uint32_t i = 0; i < geometry.face_count; ++i) {
+		const GeometryFace &face = geometry.faces[i];
+		clip_face(geometry, face, geometry.face_count == 1 ? all : sides_of(geometry.first_point(face.first_loop), geometry.face_point_count(face)));
+	}
+}
+
+Clipper::Sides Clipper::sides_of(uint32_t first, uint32_t count) const {
+	Sides sides;
+	for (uint32_t i = first; i < first + count; ++i) {
+		const double distance = _distances[i];
+		sides.least = distance < sides.least ? distance : sides.least;
+		sides.most = sides.most < distance ? distance : sides.most;
+		sides.zeros += distance == 0.0;
+	}
+	return sides;
 }
 
 void Clipper::measure_uv(const Geometry &geometry, double at, bool keeps_above) {
@@ -79,29 +104,32 @@ void Clipper::measure(const Geometry &geometry, const Plane &plane) {
 	}
 }
 
-void Clipper::clip_face(const Geometry &geometry, const GeometryFace &face) {
-	const uint32_t first = geometry.first_point(face.first_loop);
-	const auto distances = std::span(_distances).subspan(first, geometry.face_point_count(face));
-	const auto [least, most] = std::ranges::minmax(distances);
-	if (most <= 0.0) {
+void Clipper::clip_face(const Geometry &geometry, const GeometryFace &face, const Sides &sides) {
+	if (sides.most <= 0.0) {
 		return;
 	}
-	if (least > 0.0) {
+	if (sides.least > 0.0) {
 		_builder.add_face(geometry, face);
+		return;
+	}
+	_has_flush_edges |= sides.least == 0.0;
+	const bool may_be_flush = sides.least < 0.0 && sides.zeros > 1 && _uvs == nullptr;
+	if (clip_edge(geometry, face) || (!may_be_flush && clip_simple(geometry, face))) {
 		return;
 	}
 	const glm::dvec3 normal = face_normal(geometry, face);
 	_along = _uvs == nullptr ? glm::cross(_normal, normal) : glm::dvec3(0.0);
 	_is_square = std::abs(glm::dot(_normal, normal)) < 1e-9;
 	_flush_corners.clear();
-	_has_flush_edges |= least == 0.0;
-	if (least < 0.0 && _uvs == nullptr) {
+	if (may_be_flush) {
 		collect_flush_corners(geometry, face);
 	}
-	const bool may_be_simple = face.loop_count == 1 && _flush_corners.empty();
-	if (clip_edge(geometry, face) || (may_be_simple && clip_simple(geometry, face, normal))) {
-		return;
+	if (!may_be_flush || !_flush_corners.empty() || !clip_simple(geometry, face)) {
+		clip_any(geometry, face, normal);
 	}
+}
+
+void Clipper::clip_any(const Geometry &geometry, const GeometryFace &face, glm::dvec3 normal) {
 	_chains.clear();
 	_chain_points.clear();
 	_chain_origins.clear();
@@ -114,19 +142,12 @@ void Clipper::clip_face(const Geometry &geometry, const GeometryFace &face) {
 }
 
 // An outline that comes in once, as convex ones do, is one piece: from where it comes in to where it goes out. False: this is another.
-bool Clipper::clip_simple(const Geometry &geometry, const GeometryFace &face, glm::dvec3 normal) {
+bool Clipper::clip_simple(const Geometry &geometry, const GeometryFace &face) {
 	const uint32_t first = geometry.first_point(face.first_loop), count = geometry.loop_ends[face.first_loop] - first;
 	const auto at = [&](uint32_t i) { return first + (i < count ? i : i - count); };
 	const auto is_in = [&](uint32_t i) { return _distances[at(i)] > 0.0; };
-	uint32_t enter = 0, enters = 0, inside = 0;
-	for (uint32_t i = 0; i < count; ++i) {
-		inside += is_in(i);
-		if (!is_in(i) && is_in(i + 1)) {
-			enter = i;
-			++enters;
-		}
-	}
-	if (enters != 1) {
+	uint32_t enter = 0, inside = 0;
+	if (face.loop_count != 1 || !comes_in_once(std::span(_distances).subspan(first, count), enter, inside)) {
 		return false;
 	}
 	CornerOrigin enter_origin, leave_origin;
@@ -135,18 +156,21 @@ bool Clipper::clip_simple(const Geometry &geometry, const GeometryFace &face, gl
 	// Place 0 is where the outline comes in, the last one where it goes out. It begins with the first edge, or with the cut in its place.
 	const uint32_t places = inside + 2;
 	const uint32_t start = is_in(0) ? count - enter : is_in(1) ? 0 : places - 1;
-	_outline.clear();
-	_outline_origins.clear();
+	_outline.resize(places);
+	_outline_origins.resize(_builder.keeps_origins() ? places : 0);
 	for (uint32_t i = 0; i < places; ++i) {
 		const uint32_t place = start + i < places ? start + i : start + i - places;
+		const bool is_enter = place == 0, is_leave = place + 1 == places;
 		const uint32_t corner = at(enter + place);
-		_outline.push_back(place == 0 ? enter_point : place + 1 == places ? leave_point : geometry.points[corner]);
+		const glm::dvec3 *point = is_enter ? &enter_point : is_leave ? &leave_point : &geometry.points[corner];
+		_outline[i] = *point;
 		if (_builder.keeps_origins()) {
-			_outline_origins.push_back(place == 0 ? enter_origin : place + 1 == places ? leave_origin : CornerOrigin{ corner });
+			_outline_origins[i] = is_enter ? enter_origin : is_leave ? leave_origin : CornerOrigin{ corner };
 		}
 	}
 	_cuts.push_back({ leave_point, enter_point });
-	if (glm::dot(area_vector(_outline), normal) > 0.0 && _builder.add_loop(_outline, _outline_origins)) {
+	const glm::dvec3 area = area_vector(geometry.outline(face)); // its direction is enough
+	if (glm::dot(area_vector(_outline), area) > 0.0 && _builder.add_loop(_outline, _outline_origins)) {
 		_builder.end_face(face.tag, face.material);
 	}
 	return true;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -50,6 +51,7 @@ private:
 		double at; // on the cut
 		glm::dvec3 point;
 		uint32_t corner;
+		bool is_kept; // the face gets it as a corner
 	};
 	struct Segment {
 		glm::dvec3 from, to;
@@ -57,17 +59,28 @@ private:
 		bool is_used = false;
 	};
 
+	// How far the points of a face, or of all, lie to both sides.
+	struct Sides {
+		double least = INFINITY, most = -INFINITY;
+		uint32_t zeros = 0; // that lie on the plane
+		bool are_cut() const { return most > 0.0 && least < 0.0; }
+	};
+
 	void measure(const Geometry &geometry, const Plane &plane);
 	void measure_uv(const Geometry &geometry, double at, bool keeps_above);
-	bool is_cut(bool &is_whole) const;
-	void clip_face(const Geometry &geometry, const GeometryFace &face);
+	Sides sides_of(uint32_t first, uint32_t count) const;
+	void clip_faces(const Geometry &geometry, const Sides &all);
+	void clip_face(const Geometry &geometry, const GeometryFace &face, const Sides &sides);
 	bool clip_edge(const Geometry &geometry, const GeometryFace &face);
-	bool clip_simple(const Geometry &geometry, const GeometryFace &face, glm::dvec3 normal);
+	bool clip_simple(const Geometry &geometry, const GeometryFace &face);
+	void clip_any(const Geometry &geometry, const GeometryFace &face, glm::dvec3 normal);
 	double place_on_cut(glm::dvec3 point, const CornerOrigin &origin) const;
 	void collect_chains(const Geometry &geometry, uint32_t loop, bool is_outline);
 	glm::dvec3 cut_point(const Geometry &geometry, uint32_t a, uint32_t b, CornerOrigin &origin) const;
 	void add_chain_point(glm::dvec3 point, CornerOrigin origin);
 	void collect_flush_corners(const Geometry &geometry, const GeometryFace &face);
+	void unite_flush_corners();
+	bool has_neighbor(const Geometry &geometry, glm::dvec3 from, glm::dvec3 to) const;
 	void add_cut(const Chain &from, const Chain &to);
 	void cancel_opposite_cuts();
 	void pair_chains();

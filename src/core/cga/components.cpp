@@ -79,18 +79,18 @@ std::vector<ComponentInfo> shared_edges(const Geometry &geometry) {
 }
 
 std::vector<ComponentInfo> edges_by_face(const Geometry &geometry) {
-	const std::vector<glm::dvec3> normals = face_normals(geometry);
 	std::vector<ComponentInfo> result;
 	result.reserve(geometry.point_count);
-	for (const FaceEdge &edge : face_edges(geometry)) {
-		const glm::dvec3 normal = normals[edge.face];
-		ComponentInfo info;
+	glm::dvec3 normal(0.0);
+	for_each_face_edge(geometry, [&](const FaceEdge &edge) {
+		const bool is_first = result.empty() || result.back().face != edge.face;
+		normal = is_first ? component_normal(geometry, geometry.faces[edge.face]) : normal;
+		ComponentInfo &info = result.emplace_back();
 		info.component = { unit(glm::cross(edge.to - edge.from, normal), normal), true };
 		info.face = edge.face;
 		info.from = edge.from;
 		info.to = edge.to;
-		result.push_back(std::move(info));
-	}
+	});
 	return result;
 }
 

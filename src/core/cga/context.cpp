@@ -61,7 +61,7 @@ bool Context::set_up(const InitialShape &initial_shape) {
 	_is_stopped = false;
 	shape.seed = initial_shape.seed;
 	Diagnostics diagnostics;
-	const bool is_usable = make_initial_shape(initial_shape, arena, _lot, shape, diagnostics);
+	const bool is_usable = make_initial_shape(initial_shape, builder, arena, _lot, shape, diagnostics);
 	if (model.materials().texts().size() > most_texts) {
 		model.materials().texts().clear();
 		texture_files.clear();

@@ -117,27 +117,28 @@ public:
 	template <typename T> const T *carry(const T *values, T nothing, Arena &arena) {
 		T *result = arena.allocate<T>(_points.size());
 		bool is_carried = false;
-		for (size_t i = 0; i < _points.size(); ++i) {
-			const CornerOrigin origin = i < _origins.size() ? _origins[i] : CornerOrigin();
+		for (size_t i = 0; i < _origins.size(); ++i) {
+			const CornerOrigin &origin = _origins[i];
 			if (origin.a == CornerOrigin::none) {
 				result[i] = nothing;
+				continue;
+			}
+			is_carried = true;
+			if (origin.b == CornerOrigin::none) {
+				result[i] = values[origin.a];
+			} else if (origin.b != CornerOrigin::in_face) {
+				result[i] = values[origin.a] + (values[origin.b] - values[origin.a]) * origin.share;
 			} else {
-				result[i] = value_at(values, origin, _points[i]);
-				is_carried = true;
+				result[i] = value_in_face(values, origin.a, _points[i]);
 			}
 		}
+		std::fill(result + _origins.size(), result + _points.size(), nothing);
 		return is_carried ? result : nullptr;
 	}
 
 private:
-	template <typename T> T value_at(const T *values, const CornerOrigin &origin, glm::dvec3 point) {
-		if (origin.b == CornerOrigin::none) {
-			return values[origin.a];
-		}
-		if (origin.b != CornerOrigin::in_face) {
-			return values[origin.a] + (values[origin.b] - values[origin.a]) * origin.share;
-		}
-		const GeometryFace &face = _source.faces[origin.a];
+	template <typename T> T value_in_face(const T *values, uint32_t number, glm::dvec3 point) {
+		const GeometryFace &face = _source.faces[number];
 		mean_value_weights(_source, face, point, _weights);
 		T sum(0.0);
 		for (size_t i = 0; i < _weights.size(); ++i) {

@@ -1,48 +1,36 @@
 #include "core/cga/edges.h"
 
 #include <algorithm>
-#include <bit>
 
-#include "core/base/random.h"
 #include "core/base/small_vector.h"
 
 namespace pcg::cga {
 
 namespace {
 
-struct HashedEdge {
-	uint64_t hash; // of both ends
+// Looking at all pairs is quicker than sorting up to there.
+constexpr uint32_t few_edges = 64;
+
+struct PlainEdge {
+	double sum; // of both ends: edges with the same ends have the same, whichever way they run
 	const glm::dvec3 *from, *to;
 
-	bool has_ends_of(const HashedEdge &other) const { return (*from == *other.from && *to == *other.to) || (*from == *other.to && *to == *other.from); }
+	bool has_ends_of(const PlainEdge &other) const {
+		return sum == other.sum && ((*from == *other.to && *to == *other.from) || (*from == *other.from && *to == *other.to));
+	}
 };
 
-uint64_t hash_of(glm::dvec3 point) {
-	uint64_t hash = 0;
-	for (int axis = 0; axis < 3; ++axis) {
-		hash = mix64(hash ^ std::bit_cast<uint64_t>(point[axis] + 0.0)); // without the sign of zero
-	}
-	return hash;
+double sum_of(glm::dvec3 from, glm::dvec3 to) {
+	const glm::dvec3 sum = from + to;
+	return sum.x + 3.0 * sum.y + 7.0 * sum.z;
 }
-
-size_t edge_count(std::span<const glm::dvec3> loop) { return loop.size() <= 2 ? loop.size() - 1 : loop.size(); } // an edge does not run back
 
 } // namespace
 
 std::vector<FaceEdge> face_edges(const Geometry &geometry) {
 	std::vector<FaceEdge> edges;
 	edges.reserve(geometry.point_count);
-	for (uint32_t f = 0; f < geometry.face_count; ++f) {
-		const GeometryFace &face = geometry.faces[f];
-		for (uint32_t l = 0; l < face.loop_count; ++l) {
-			const auto loop = geometry.loop(face.first_loop + l);
-			const uint32_t first = geometry.first_point(face.first_loop + l);
-			for (size_t i = 0; i < edge_count(loop); ++i) {
-				const size_t next = (i + 1) % loop.size();
-				edges.push_back({ loop[i], loop[next], f, uint32_t(edges.size()), first + uint32_t(i), first + uint32_t(next) });
-			}
-		}
-	}
+	for_each_face_edge(geometry, [&](const FaceEdge &edge) { edges.push_back(edge); });
 	return edges;
 }
 
@@ -63,26 +51,34 @@ std::vector<FaceEdge> grouped_edges(const Geometry &geometry) {
 }
 
 bool has_paired_edges(const Geometry &geometry) {
-	SmallVector<HashedEdge, 32> edges;
+	if (geometry.point_count > few_edges) {
+		const std::vector<FaceEdge> edges = grouped_edges(geometry);
+		bool are_pairs = !edges.empty();
+		for_each_edge_group(edges, [&](std::span<const FaceEdge> group) { are_pairs &= group.size() == 2; });
+		return are_pairs;
+	}
+	SmallVector<PlainEdge, 32> open; // edges that nobody was found for yet
+	SmallVector<PlainEdge, 32> paired;
 	for (uint32_t l = 0; l < geometry.loop_count; ++l) {
 		const auto loop = geometry.loop(l);
-		const uint64_t first = hash_of(loop[0]);
-		uint64_t from = first;
 		for (size_t i = 0; i < edge_count(loop); ++i) {
-			const bool is_last = i + 1 == loop.size();
-			const uint64_t to = is_last ? first : hash_of(loop[i + 1]);
-			edges.push_back({ from + to, &loop[i], &loop[is_last ? 0 : i + 1] });
-			from = to;
+			const glm::dvec3 &from = loop[i], &to = loop[i + 1 < loop.size() ? i + 1 : 0];
+			const PlainEdge edge = { sum_of(from, to), &from, &to };
+			const auto is_same = [&](const PlainEdge &other) { return other.has_ends_of(edge); };
+			const auto found = std::find_if(open.begin(), open.end(), is_same);
+			if (found == open.end()) {
+				open.push_back(edge);
+				continue;
+			}
+			if (std::any_of(paired.begin(), paired.end(), is_same)) {
+				return false;
+			}
+			paired.push_back(edge);
+			*found = open.back();
+			open.pop_back();
 		}
 	}
-	std::ranges::sort(edges, {}, &HashedEdge::hash);
-	for (size_t i = 0; i < edges.size(); i += 2) {
-		const bool is_pair = i + 1 < edges.size() && edges[i].has_ends_of(edges[i + 1]);
-		if (!is_pair || (i + 2 < edges.size() && edges[i + 2].hash == edges[i].hash)) {
-			return false;
-		}
-	}
-	return edges.size() > 0;
+	return open.empty() && !paired.empty();
 }
 
 } // namespace pcg::cga

@@ -52,13 +52,14 @@ glm::dvec2 FlatFace::flat(glm::dvec3 point) const {
 }
 
 void FlatFace::add_point(GeometryBuilder &builder, glm::dvec2 point) const {
-	for (size_t l = 0; l < _loops.size(); ++l) {
-		for (size_t i = 0; i < _loops[l].size(); ++i) {
-			if (_loops[l][i] == point) {
-				const uint32_t corner = _geometry->first_point(face().first_loop + uint32_t(l)) + uint32_t(i);
+	uint32_t corner = _geometry->first_point(face().first_loop);
+	for (const Loop2 &loop : _loops) {
+		for (const glm::dvec2 &known : loop) {
+			if (known.x == point.x && known.y == point.y) {
 				builder.add_corner(_geometry->points[corner], corner);
 				return;
 			}
+			++corner;
 		}
 	}
 	builder.add_inside(_origin + _x * point.x + _y * point.y, _face);

@@ -2,8 +2,6 @@
 
 #include <limits>
 
-#include <glm/common.hpp>
-
 #include "core/cga/corner_data.h"
 #include "core/geometry/polygon.h"
 
@@ -33,12 +31,22 @@ bool detect_block(const Geometry &geometry) {
 	return true;
 }
 
+void widen(double &low, double &high, double value) {
+	low = value < low ? value : low;
+	high = high < value ? value : high;
+}
+
+// In variables of their own, which the compiler keeps in registers.
 void set_bounds(Geometry &geometry) {
-	geometry.low = geometry.high = geometry.points[0];
-	for (uint32_t i = 1; i < geometry.point_count; ++i) {
-		geometry.low = glm::min(geometry.low, geometry.points[i]);
-		geometry.high = glm::max(geometry.high, geometry.points[i]);
+	const std::span<const glm::dvec3> points(geometry.points, geometry.point_count);
+	glm::dvec3 low = points[0], high = points[0];
+	for (const glm::dvec3 &point : points.subspan(1)) {
+		widen(low.x, high.x, point.x);
+		widen(low.y, high.y, point.y);
+		widen(low.z, high.z, point.z);
 	}
+	geometry.low = low;
+	geometry.high = high;
 }
 
 } // namespace
@@ -90,7 +98,17 @@ void GeometryBuilder::add_points(const Geometry &source, uint32_t first, uint32_
 	_points.insert(_points.end(), source.points + first, source.points + first + count);
 }
 
-// The same corners stay as in end_loop(), which goes by the points alone.
+bool GeometryBuilder::has_doubles(size_t first) const {
+	const glm::dvec3 *last = &_points.back();
+	for (size_t i = first; i < _points.size(); last = &_points[i++]) {
+		if (*last == _points[i]) {
+			return true;
+		}
+	}
+	return false;
+}
+
+// The same corners stay as in merge_doubles(), which goes by the points alone.
 void GeometryBuilder::merge_origins(size_t first) {
 	_origins.resize(_points.size());
 	size_t kept = first;
@@ -102,7 +120,15 @@ void GeometryBuilder::merge_origins(size_t first) {
 }
 
 bool GeometryBuilder::end_loop(size_t least) {
-	const size_t first = _loop_ends.empty() ? 0 : _loop_ends.back();
+	const size_t first = _loop_ends.empty() ? 0 : _loop_ends.back(), count = _points.size() - first;
+	if (count < least || (count > 1 && has_doubles(first))) {
+		return merge_doubles(first, least);
+	}
+	_loop_ends.push_back(uint32_t(_points.size()));
+	return true;
+}
+
+bool GeometryBuilder::merge_doubles(size_t first, size_t least) {
 	if (_origins.size() > first) {
 		merge_origins(first);
 	}
@@ -153,7 +179,7 @@ const Geometry *GeometryBuilder::finish(Arena &arena, bool is_closed) const {
 	if (_faces.empty()) {
 		return nullptr;
 	}
-	Geometry geometry;
+	Geometry &geometry = *arena.make(Geometry());
 	geometry.points = arena.copy(_points.data(), _points.size());
 	geometry.loop_ends = arena.copy(_loop_ends.data(), _loop_ends.size());
 	geometry.faces = arena.copy(_faces.data(), _faces.size());
@@ -166,11 +192,11 @@ const Geometry *GeometryBuilder::finish(Arena &arena, bool is_closed) const {
 		geometry.corners = carry_corner_data(*_source, _points, _origins, _turn, arena);
 	}
 	geometry.is_block = detect_block(geometry);
-	return arena.make(geometry);
+	return &geometry;
 }
 
 const Geometry *make_polygon(std::span<const glm::dvec3> points, FaceTag tag, uint16_t material, Arena &arena) {
-	Geometry geometry;
+	Geometry &geometry = *arena.make(Geometry());
 	geometry.points = points.data();
 	geometry.point_count = uint32_t(points.size());
 	geometry.loop_ends = arena.make(geometry.point_count);
@@ -178,7 +204,7 @@ const Geometry *make_polygon(std::span<const glm::dvec3> points, FaceTag tag, ui
 	geometry.loop_count = geometry.face_count = 1;
 	set_bounds(geometry);
 	geometry.is_block = detect_block(geometry);
-	return arena.make(geometry);
+	return &geometry;
 }
 
 glm::dvec3 face_normal(const Geometry &geometry, const GeometryFace &face) {

@@ -115,6 +115,9 @@ public:
 
 private:
 	void add_points(const Geometry &source, uint32_t first, uint32_t count);
+	// Of the loop that begins at this point: neighbours that are equal, the last and the first too.
+	bool has_doubles(size_t first) const;
+	bool merge_doubles(size_t first, size_t least);
 	void merge_origins(size_t first);
 
 	std::vector<glm::dvec3> _points;

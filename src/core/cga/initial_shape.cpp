@@ -17,7 +17,7 @@ constexpr double least_edge = 1e-6; // metres
 constexpr size_t checked_points = 2000; // larger outlines are not tested for crossings, which takes the square of that
 constexpr double largest_coordinate = 1e9;
 
-using Loop = std::vector<glm::dvec3>;
+using Loop = SmallVector<glm::dvec3, 8>;
 
 bool is_usable(glm::dvec3 point) {
 	const glm::dvec3 size = glm::abs(point);
@@ -26,23 +26,26 @@ bool is_usable(glm::dvec3 point) {
 
 struct TexturedLoop {
 	Loop points;
-	std::vector<glm::dvec2> uvs; // as many, no_uv() where nothing is known
+	std::vector<glm::dvec2> uvs; // as many, no_uv() where nothing is known; empty: nothing at all
 };
+using LotFaces = SmallVector<SmallVector<TexturedLoop, 1>, 1>; // the first loop of each is the outline
 
 // `first_uv`: of the loop in the face's list.
-TexturedLoop cleaned(const Loop &loop, const std::vector<glm::dvec2> &uvs, size_t first_uv) {
+TexturedLoop cleaned(std::span<const glm::dvec3> loop, std::span<const glm::dvec2> uvs, size_t first_uv) {
 	TexturedLoop result;
 	Loop &points = result.points;
 	for (size_t i = 0; i < loop.size(); ++i) {
 		if (is_usable(loop[i]) && (points.empty() || glm::distance(loop[i], points.back()) > least_edge)) {
 			points.push_back(loop[i]);
-			result.uvs.push_back(first_uv + i < uvs.size() ? uvs[first_uv + i] : no_uv());
+			if (!uvs.empty()) {
+				result.uvs.push_back(first_uv + i < uvs.size() ? uvs[first_uv + i] : no_uv());
+			}
 		}
 	}
 	while (points.size() > 1 && glm::distance(points.back(), points.front()) <= least_edge) {
 		points.pop_back();
-		result.uvs.pop_back();
 	}
+	result.uvs.resize(std::min(result.uvs.size(), points.size()));
 	return result;
 }
 
@@ -55,16 +58,15 @@ bool crosses_itself(const Loop &loop) {
 		return false;
 	}
 	const glm::dvec3 normal = loop_normal(loop);
-	std::vector<glm::dvec2> flat;
+	Loop2 flat;
 	for (const glm::dvec3 &point : loop) {
 		flat.push_back(flatten(point, normal));
 	}
 	return is_self_intersecting(flat);
 }
 
-// Usable faces only; the first loop of each is the outline.
-std::vector<std::vector<TexturedLoop>> usable_faces(const InitialShape &source, Diagnostics &diagnostics) {
-	std::vector<std::vector<TexturedLoop>> faces;
+LotFaces usable_faces(const InitialShape &source, Diagnostics &diagnostics) {
+	LotFaces faces;
 	for (const InitialShape::Face &face : source.faces) {
 		TexturedLoop outline = cleaned(face.outline, face.uvs, 0);
 		if (!has_area(outline.points)) {
@@ -75,9 +77,9 @@ std::vector<std::vector<TexturedLoop>> usable_faces(const InitialShape &source, 
 					"draw it so that no two of its edges meet between their ends");
 		}
 		const glm::dvec3 normal = loop_normal(outline.points);
-		faces.push_back({ std::move(outline) });
+		faces.emplace_back().push_back(std::move(outline));
 		size_t first_uv = face.outline.size();
-		for (const Loop &hole : face.holes) {
+		for (const std::vector<glm::dvec3> &hole : face.holes) {
 			TexturedLoop clean_hole = cleaned(hole, face.uvs, first_uv);
 			first_uv += hole.size();
 			if (has_area(clean_hole.points)) {
@@ -106,19 +108,26 @@ glm::dmat3 street_axes(const InitialShape &source, const Lot &lot) {
 }
 
 // In the object's system.
-const Geometry *object_geometry(const std::vector<std::vector<TexturedLoop>> &faces, const Lot &lot, Arena &arena) {
+const Geometry *object_geometry(const LotFaces &faces, const Lot &lot, GeometryBuilder &builder, Arena &arena) {
 	std::vector<glm::dvec2> uvs;
+	size_t points = 0;
 	for (const auto &face : faces) {
 		for (const TexturedLoop &loop : face) {
-			uvs.insert(uvs.end(), loop.uvs.begin(), loop.uvs.end());
+			if (!loop.uvs.empty()) {
+				uvs.resize(points, no_uv());
+				uvs.insert(uvs.end(), loop.uvs.begin(), loop.uvs.end());
+			}
+			points += loop.points.size();
 		}
+	}
+	if (!uvs.empty()) {
+		uvs.resize(points, no_uv());
 	}
 	CornerData corners;
 	corners.uvs[0] = uvs.data();
 	Geometry source;
 	source.corners = std::ranges::any_of(uvs, has_uv) ? &corners : nullptr;
 	const glm::dmat3 to_object = glm::transpose(lot.object_axes);
-	GeometryBuilder builder;
 	builder.begin(source);
 	uint32_t corner = 0;
 	for (const auto &face : faces) {
@@ -148,8 +157,8 @@ InitialShape InitialShape::rectangle(double width, double depth, uint64_t seed) 
 	return of({ { 0.0, 0.0, 0.0 }, { width, 0.0, 0.0 }, { width, 0.0, -depth }, { 0.0, 0.0, -depth } }, seed);
 }
 
-bool make_initial_shape(const InitialShape &source, Arena &arena, Lot &lot, Shape &shape, Diagnostics &diagnostics) {
-	const auto faces = usable_faces(source, diagnostics);
+bool make_initial_shape(const InitialShape &source, GeometryBuilder &builder, Arena &arena, Lot &lot, Shape &shape, Diagnostics &diagnostics) {
+	const LotFaces faces = usable_faces(source, diagnostics);
 	if (faces.empty()) {
 		diagnostics.error("bad-initial-shape", "the initial shape has no polygon with an area",
 				"give at least three different points with finite coordinates that do not lie on one line; an outline that crosses itself can have no area either");
@@ -161,7 +170,7 @@ bool make_initial_shape(const InitialShape &source, Arena &arena, Lot &lot, Shap
 	lot.street_axes = street_axes(source, lot);
 
 	shape.pivot = arena.make(Frame{ lot.object_axes, glm::dvec3(0.0) });
-	set_geometry(shape, object_geometry(faces, lot, arena));
+	set_geometry(shape, object_geometry(faces, lot, builder, arena));
 	lot.center = shape.frame().to_parent(0.5 * shape.size);
 	return true;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -112,7 +113,8 @@ ModelBuilder::MeshSize ModelBuilder::size_of(const Mesh &mesh) {
 
 void ModelBuilder::begin(const Lot &lot) {
 	_lot = lot;
-	_result = DerivationResult();
+	std::destroy_at(&_result); // nothing is in it as a rule: quicker than giving it an empty one
+	std::construct_at(&_result);
 	_result.mesh.positions.reserve(_expected.positions);
 	_result.mesh.loop_ends.reserve(_expected.loops);
 	_result.mesh.faces.reserve(_expected.faces);
@@ -225,12 +227,13 @@ void ModelBuilder::add_corner_data(Mesh &mesh, const Shape &shape, const Geometr
 	const glm::dvec2 *base = geometry.uvs(0);
 	for (size_t set = 0; geometry.corners != nullptr && set < uv_set_count; ++set) {
 		if (const glm::dvec2 *uvs = geometry.uvs(set)) {
-			complete_uvs(mesh, set, corner);
-			mesh.uvs[set].resize(corner + count);
-			glm::vec2 *target = mesh.uvs[set].data() + corner;
-			for (size_t i = 0; i < count; ++i) {
-				const glm::dvec2 uv = has_uv(uvs[first + i]) || base == nullptr ? uvs[first + i] : base[first + i];
-				target[i] = has_uv(uv) ? glm::vec2(uv) : glm::vec2(0.0f);
+			std::vector<glm::vec2> &target = mesh.uvs[set];
+			if (target.size() < corner) {
+				complete_uvs(mesh, set, corner);
+			}
+			for (size_t i = first; i < first + count; ++i) {
+				const glm::dvec2 uv = has_uv(uvs[i]) || base == nullptr ? uvs[i] : base[i];
+				target.push_back(has_uv(uv) ? glm::vec2(uv) : glm::vec2(0.0f));
 			}
 		}
 	}

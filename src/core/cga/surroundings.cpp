@@ -32,11 +32,12 @@ public:
 	}
 
 	Bounds3 bounds() const {
-		Bounds3 bounds = { _points[0], _points[0] };
+		glm::dvec3 low = _points[0], high = _points[0]; // in registers
 		for (const glm::dvec3 &point : _points) {
-			bounds = { glm::min(bounds.low, point), glm::max(bounds.high, point) };
+			low = glm::min(low, point);
+			high = glm::max(high, point);
 		}
-		return bounds;
+		return { low, high };
 	}
 	bool meets(OcclusionKind kind, const Occluder &occluder) {
 		const ConvexBody::Relation quick = occluder.body.relation_to(_points, _is_rectangle);

@@ -6,6 +6,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/base/small_vector.h"
+
 namespace pcg {
 
 namespace {
@@ -16,12 +18,13 @@ constexpr double sure = 100.0 * tolerance; // what is as long as that is no matt
 } // namespace
 
 ConvexBody::Extent ConvexBody::heights(const Side &side, std::span<const glm::dvec3> points) {
-	Extent extent = { INFINITY, -INFINITY };
+	double least = INFINITY, most = -INFINITY;
 	for (const glm::dvec3 &point : points) {
 		const double height = glm::dot(side.normal, point) - side.offset;
-		extent = { std::min(extent.least, height), std::max(extent.most, height) };
+		least = height < least ? height : least;
+		most = most < height ? height : most;
 	}
-	return extent;
+	return { least, most };
 }
 
 ConvexBody::ConvexBody(const Solid &closed) {
@@ -69,21 +72,28 @@ ConvexBody::Relation ConvexBody::contact(size_t side, std::span<const glm::dvec3
 		return Relation::Unknown;
 	}
 	double shallowest = INFINITY; // how far they reach over each other, by the edge that says least
-	for (const Side &other : _sides) {
-		const double slant = glm::dot(other.normal, normal), in_plane = std::sqrt(std::max(0.0, 1.0 - slant * slant));
+	for (size_t i = 0; i < _sides.size() && shallowest > tolerance; ++i) {
+		const double slant = glm::dot(_sides[i].normal, normal), in_plane = std::sqrt(std::max(0.0, 1.0 - slant * slant));
 		if (in_plane > 1e-3) { // else it has no edge with this one
-			shallowest = std::min(shallowest, -heights(other, rectangle).least / in_plane);
+			shallowest = std::min(shallowest, -heights(_sides[i], rectangle).least / in_plane);
+		}
+	}
+	if (shallowest <= tolerance) {
+		return Relation::Apart;
+	}
+	SmallVector<glm::dvec3, 8> outline; // the corners of the side
+	for (const glm::dvec3 &corner : _corners) {
+		if (std::abs(glm::dot(normal, corner) - _sides[side].offset) <= tolerance) {
+			outline.push_back(corner);
 		}
 	}
 	const glm::dvec3 middle = 0.5 * (rectangle[0] + rectangle[2]);
 	for (size_t i = 0; i < rectangle.size(); ++i) {
-		const glm::dvec3 from = rectangle[i], way = glm::normalize(glm::cross(rectangle[(i + 1) % rectangle.size()] - from, normal));
+		const glm::dvec3 from = rectangle[i], way = glm::normalize(glm::cross(rectangle[i + 1 < rectangle.size() ? i + 1 : 0] - from, normal));
 		const glm::dvec3 outwards = glm::dot(way, from - middle) > 0.0 ? way : -way;
 		double reach = -INFINITY; // of the side over this edge
-		for (const glm::dvec3 &corner : _corners) {
-			if (std::abs(glm::dot(normal, corner) - _sides[side].offset) <= tolerance) {
-				reach = std::max(reach, -glm::dot(outwards, corner - from));
-			}
+		for (const glm::dvec3 &corner : outline) {
+			reach = std::max(reach, -glm::dot(outwards, corner - from));
 		}
 		shallowest = std::min(shallowest, reach);
 	}

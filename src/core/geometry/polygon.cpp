@@ -23,11 +23,22 @@ glm::dvec3 perpendicular_part(glm::dvec3 direction, glm::dvec3 axis) {
 	return length > 1e-9 * glm::length(direction) && length > 0.0 ? part / length : any_perpendicular(axis);
 }
 
+double extent(glm::dvec2 v) {
+	return std::abs(v.x) + std::abs(v.y);
+}
+
+// On which side of a-b the point lies; 0 where the rounding of coordinates alone could have put it there, as with edges of one line.
+double side_of(glm::dvec2 a, glm::dvec2 b, glm::dvec2 point) {
+	const double side = cross(b - a, point - a);
+	const double rounding = 1e-15 * (extent(a) + extent(b) + extent(point));
+	return std::abs(side) <= rounding * (extent(b - a) + extent(point - a)) ? 0.0 : side;
+}
+
 bool do_segments_meet(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 d) {
-	const double abc = cross(b - a, c - a);
-	const double abd = cross(b - a, d - a);
-	const double cda = cross(d - c, a - c);
-	const double cdb = cross(d - c, b - c);
+	const double abc = side_of(a, b, c);
+	const double abd = side_of(a, b, d);
+	const double cda = side_of(c, d, a);
+	const double cdb = side_of(c, d, b);
 	return abc * abd < 0.0 && cda * cdb < 0.0;
 }
 

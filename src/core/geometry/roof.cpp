@@ -74,31 +74,30 @@ public:
 	explicit RoofCorners(RoofFaces &faces) : _faces(faces) {
 		SmallVector<PointKey, 16> keys;
 		for (const RoofFace &face : faces) {
-			auto &numbers = _numbers.emplace_back();
+			_first.push_back(uint32_t(_numbers.size()));
 			for (const glm::dvec3 &point : face.outline) {
 				const PointKey key = key_of(point);
-				const auto found = std::ranges::find(keys, key);
-				numbers.push_back(uint32_t(found - keys.begin()));
-				if (found == keys.end()) {
-					keys.push_back(key);
+				uint32_t number = 0;
+				while (number < keys.size() && keys[number] != key) {
+					++number;
 				}
+				if (number == keys.size()) {
+					keys.push_back(key);
+					_uses.push_back(0);
+				}
+				++_uses[number];
+				_numbers.push_back(number);
 			}
 		}
 	}
 
-	uint32_t number(size_t face, size_t corner) const { return _numbers[face][corner]; }
+	uint32_t number(size_t face, size_t corner) const { return _numbers[_first[face] + corner]; }
 	// How many of the planes use it: three at a simple end of a ridge, four or more where ridges meet.
-	int uses(uint32_t number) const {
-		int result = 0;
-		for (const auto &numbers : _numbers) {
-			result += int(std::ranges::count(numbers, number));
-		}
-		return result;
-	}
+	uint32_t uses(uint32_t number) const { return _uses[number]; }
 	void move(uint32_t number, glm::dvec3 to) {
 		for (size_t f = 0; f < _faces.size(); ++f) {
 			for (size_t i = 0; i < _faces[f].outline.size() && _faces[f].part == RoofPart::Plane; ++i) { // walls stay where they are
-				if (_numbers[f][i] == number) {
+				if (_numbers[_first[f] + i] == number) {
 					_faces[f].outline[i] = to;
 				}
 			}
@@ -107,7 +106,9 @@ public:
 
 private:
 	RoofFaces &_faces;
-	SmallVector<SmallVector<uint32_t, 6>, 6> _numbers; // by face and corner
+	SmallVector<uint32_t, 6> _first; // of each face, in _numbers
+	SmallVector<uint32_t, 24> _numbers; // face by face, corner by corner
+	SmallVector<uint32_t, 16> _uses; // by number
 };
 
 // The direction in which the ridge arrives at the apex of a hip end, from the neighbouring planes; zero if there is none.

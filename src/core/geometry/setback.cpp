@@ -156,7 +156,12 @@ bool set_back_plain(const Loops2 &polygon, std::span<const double> distances, Se
 	for (size_t i = 0; i < count; ++i) {
 		const size_t next = i + 1 < count ? i + 1 : 0;
 		if (distances[i] > 0.0) {
-			result.strips.push_back({ uint32_t(i), { { polygon[0][i], polygon[0][next], moved[next], moved[i] } } });
+			SetbackStrip &strip = result.strips.emplace_back();
+			strip.edge = uint32_t(i);
+			Loop2 &loop = strip.polygon.emplace_back();
+			for (const glm::dvec2 &point : { polygon[0][i], polygon[0][next], moved[next], moved[i] }) {
+				loop.push_back(point);
+			}
 		}
 	}
 	result.rest.emplace_back().push_back(std::move(moved));
@@ -236,8 +241,10 @@ Setback set_back(const Loops2 &polygon, std::span<const double> distances) {
 
 Polygons2 joined_strips(const Setback &setback) {
 	if (setback.is_plain) {
-		if (const Loops2 chain = chained_strips(setback); !chain.empty()) {
-			return { chain };
+		if (Loops2 chain = chained_strips(setback); !chain.empty()) {
+			Polygons2 joined;
+			joined.push_back(std::move(chain));
+			return joined;
 		}
 	}
 	Loops2 strips;

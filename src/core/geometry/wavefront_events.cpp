@@ -117,13 +117,17 @@ void Wavefront::split(uint32_t vertex, uint32_t hit, uint32_t node) {
 	add_vertex(hit, side, ended.after_edge, ended.next, node);
 }
 
-// Two vertices meet: each goes on with the side behind the other.
+// Two vertices meet: each goes on with the side behind the other. Where they are neighbours the side between them has no length and ends here.
 void Wavefront::swap_links(uint32_t a, uint32_t b, uint32_t node) {
 	const Vertex old_a = _vertices[a], old_b = _vertices[b];
 	end_vertex(a, node);
 	end_vertex(b, node);
-	add_vertex(old_a.previous, old_a.before_edge, old_b.after_edge, old_b.next, node);
-	add_vertex(old_b.previous, old_b.before_edge, old_a.after_edge, old_a.next, node);
+	if (old_a.previous != b) {
+		add_vertex(old_a.previous, old_a.before_edge, old_b.after_edge, old_b.next, node);
+	}
+	if (old_b.previous != a) {
+		add_vertex(old_b.previous, old_b.before_edge, old_a.after_edge, old_a.next, node);
+	}
 }
 
 } // namespace pcg

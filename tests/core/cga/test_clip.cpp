@@ -152,28 +152,71 @@ TEST_CASE("a stepped body cut at its step has the tower's own foot as cap") {
 	CHECK(volume_of(*block) == doctest::Approx(60.0));
 }
 
-TEST_CASE("level cuts of roofs of 45 degrees over whole metres, many of them along a ridge, leave bodies whose faces share all edges") {
+TEST_CASE("level and upright cuts of roofs over whole metres, many of them along ridges and eaves, leave bodies whose faces share all edges") {
 	Clipper clipper;
 	for (uint64_t seed = 0; seed < 200; ++seed) {
 		Arena arena;
 		Random random(seed, 31);
 		const RoofOutline outline = { random.chance(0.5) ? random_stairs(random) : random_comb(random) };
 		GeometryBuilder builder;
-		for (const RoofFace &face : roof_hip(outline, { 45.0 }).faces) {
+		for (const RoofFace &face : (seed % 4 == 0 ? roof_gable(outline, { 45.0 }) : roof_hip(outline, { 45.0 })).faces) {
 			builder.add_loop(face.outline);
 			builder.end_face();
 		}
 		const Geometry *roof = builder.finish(arena, true);
 		CAPTURE(seed);
 		REQUIRE(has_paired_edges(*roof));
-		for (const double height : { 0.5, 1.0, 1.5, 2.0, 3.0 }) {
-			double volume = 0.0;
-			for (const double side : { -1.0, 1.0 }) {
-				const Geometry *part = clipper.clip(*roof, { { 0.0, 0.0, side }, side * height }, arena);
-				CHECK((part == nullptr || has_paired_edges(*part)));
-				volume += part != nullptr ? volume_of(*part) : 0.0;
+		for (const glm::dvec3 normal : { glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(0.0, 1.0, 0.0) }) {
+			for (const double offset : { 0.5, 1.0, 1.5, 2.0, 3.0, 5.0 }) {
+				CAPTURE(offset);
+				double volume = 0.0;
+				for (const double side : { -1.0, 1.0 }) {
+					const Geometry *part = clipper.clip(*roof, { side * normal, side * offset }, arena);
+					CHECK((part == nullptr || has_paired_edges(*part)));
+					volume += part != nullptr ? volume_of(*part) : 0.0;
+				}
+				CHECK(volume == doctest::Approx(volume_of(*roof)));
 			}
-			CHECK(volume == doctest::Approx(volume_of(*roof)));
 		}
 	}
+}
+
+// The floor of the part shares one half of the cut with the roof above the eave, the other one with the cap. What stands on a wall is cut as the wall is.
+TEST_CASE("cut along the eave of a wing the floor of a roof has a corner where the eave ends, the floor of walls has none") {
+	Clipper clipper;
+	Arena arena;
+	GeometryBuilder builder;
+	const RoofOutline outline = { { { 0.0, 0.0 }, { 10.0, 0.0 }, { 10.0, 4.0 }, { 4.0, 4.0 }, { 4.0, 10.0 }, { 0.0, 10.0 } } };
+	for (const RoofFace &face : roof_hip(outline, { 45.0 }).faces) {
+		builder.add_loop(face.outline);
+		builder.end_face();
+	}
+	const Geometry *roof = clipper.clip(*builder.finish(arena, true), { { -1.0, 0.0, 0.0 }, -4.0 }, arena);
+	REQUIRE(roof != nullptr);
+	const auto floor_of = [](const Geometry &body) {
+		size_t corners = 0;
+		for (uint32_t f = 0; f < body.face_count; ++f) {
+			corners = face_normal(body, body.faces[f]).z < -0.9 ? body.outline(body.faces[f]).size() : corners;
+		}
+		return corners;
+	};
+	CHECK(floor_of(*roof) == 5);
+	std::vector<glm::dvec3> low, high;
+	for (const glm::dvec2 &point : outline[0]) {
+		low.insert(low.begin(), { point, 0.0 });
+		high.push_back({ point, 3.0 });
+	}
+	builder.clear();
+	builder.add_loop(low);
+	builder.end_face();
+	builder.add_loop(high);
+	builder.end_face();
+	for (size_t i = 0; i < high.size(); ++i) {
+		const glm::dvec3 a = high[i], b = high[(i + 1) % high.size()], down(0.0, 0.0, 3.0);
+		builder.add_quad(a - down, b - down, b, a);
+	}
+	const Geometry *walls = clipper.clip(*builder.finish(arena, true), { { -1.0, 0.0, 0.0 }, -4.0 }, arena);
+	REQUIRE(walls != nullptr);
+	CHECK(floor_of(*walls) == 4);
+	CHECK(walls->face_count == 6);
 }

@@ -150,8 +150,6 @@ RuleTest read_test(const std::filesystem::path &path) {
 	return test;
 }
 
-}
-
 glm::dvec3 read_vector(std::istringstream &line) {
 	glm::dvec3 vector(0.0);
 	line >> vector.x >> vector.y >> vector.z;

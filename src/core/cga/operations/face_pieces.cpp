@@ -23,13 +23,21 @@ Flow run_piece_shape(Context &context, Context::Children &children, const Shape 
 
 } // namespace
 
-Flow run_pieces(Context &context, Context::Children &children, const Shape &parent, const BlockEntry &entry, std::span<const FacePiece> pieces) {
+SeenPieces seen(const FacePieces &pieces) {
+	SeenPieces result;
+	for (const FacePiece &piece : pieces) {
+		result.push_back({ piece.face, &piece.polygon });
+	}
+	return result;
+}
+
+Flow run_pieces(Context &context, Context::Children &children, const Shape &parent, const BlockEntry &entry, std::span<const SeenPiece> pieces) {
 	const bool is_one = entry.separator != BlockEntry::Separator::Each;
 	for (size_t i = 0; i < pieces.size(); ++i) {
 		if (i == 0 || !is_one) { // bodies use the builder too
 			context.builder.begin(pieces[i].face->geometry());
 		}
-		pieces[i].face->add(context.builder, pieces[i].polygon);
+		pieces[i].face->add(context.builder, *pieces[i].polygon);
 		const bool is_whole = !is_one || i + 1 == pieces.size();
 		if (is_whole && run_piece_shape(context, children, parent, entry) != Flow::Next) {
 			return Flow::Stop;

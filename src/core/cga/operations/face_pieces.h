@@ -14,10 +14,18 @@ struct FacePiece {
 	const FlatFace *face = nullptr;
 	Loops2 polygon;
 };
-using FacePieces = SmallVector<FacePiece, 4>;
+using FacePieces = SmallVector<FacePiece, 2>;
+
+// The same, where the polygons lie with somebody else.
+struct SeenPiece {
+	const FlatFace *face = nullptr;
+	const Loops2 *polygon = nullptr;
+};
+using SeenPieces = SmallVector<SeenPiece, 8>;
+SeenPieces seen(const FacePieces &pieces);
 
 // Runs the entry's body on each piece, or with `=` on all in one shape, made of `parent`. Scope and pivot keep their axes, the scope is refitted.
-Flow run_pieces(Context &context, Context::Children &children, const Shape &parent, const BlockEntry &entry, std::span<const FacePiece> pieces);
+Flow run_pieces(Context &context, Context::Children &children, const Shape &parent, const BlockEntry &entry, std::span<const SeenPiece> pieces);
 
 // The current shape gets the faces in Context::builder, in scope coordinates, and its scope is refitted. Without any it stays as it is.
 void replace_faces(Context &context, bool is_closed = false);

@@ -177,7 +177,7 @@ public:
 private:
 	Flow run_rest(const BlockEntry &entry, const FacePieces &rest) {
 		Context::Children children(_context);
-		return run_pieces(_context, children, _parent, entry, rest);
+		return run_pieces(_context, children, _parent, entry, seen(rest));
 	}
 
 	Flow split(const FlatFace &face, uint32_t first, FacePieces &rest) {
@@ -252,7 +252,7 @@ private:
 		BlockEntry entry = *_sizes.entries[layout.parts[part].entry];
 		entry.separator = BlockEntry::Separator::All;
 		Context::Children children(_context);
-		return run_pieces(_context, children, section_shape(layout, part), entry, pieces);
+		return run_pieces(_context, children, section_shape(layout, part), entry, seen(pieces));
 	}
 
 	Context &_context;

@@ -17,7 +17,7 @@ Flow reset_geometry(Vm &vm, const Args &) {
 	Lot lot;
 	Shape first;
 	Diagnostics told_before;
-	if (make_initial_shape(context.initial_shape(), context.arena, lot, first, told_before)) {
+	if (make_initial_shape(context.initial_shape(), context.builder, context.arena, lot, first, told_before)) {
 		Shape &shape = context.shape;
 		shape.geometry = first.geometry;
 		shape.geometry_offset = first.geometry_offset;

@@ -59,6 +59,17 @@ void add_roof_faces(GeometryBuilder &builder, const Roof &roof, const Frame &fra
 	}
 }
 
+// Over a level face, as most are, the scope stands upright as it is: nothing is turned, only put into its coordinates.
+void put_upright(Context &context, const glm::dmat3 &axes) {
+	Shape &shape = context.shape;
+	if (axes != glm::dmat3(1.0)) {
+		turn_scope(shape, axes, context.builder, context.arena);
+		return;
+	}
+	shape.geometry = baked(shape, context.arena);
+	shape.geometry_offset = glm::dvec3(0.0);
+}
+
 Flow make_roof(Context &context, RoofArgs args, RoofMaker maker) {
 	Shape &shape = context.shape;
 	const Geometry *geometry = baked(shape, context.arena);
@@ -89,7 +100,7 @@ Flow make_roof(Context &context, RoofArgs args, RoofMaker maker) {
 		Geometry *result = context.arena.make(*roof);
 		result->is_closed = is_complete && has_paired_edges(*roof); // overhangs leave it open
 		set_geometry(shape, result);
-		turn_scope(shape, axes_from_y(normal, { 1.0, 0.0, 0.0 }), builder, context.arena);
+		put_upright(context, axes_from_y(normal, { 1.0, 0.0, 0.0 }));
 	}
 	return Flow::Next;
 }

@@ -15,6 +15,13 @@ namespace {
 
 constexpr uint32_t nobody = UINT32_MAX;
 
+// Becomes the setback where it is to lie: moving one moves all of its points.
+struct SetbackOf {
+	const Loops2 &polygon;
+	std::span<const double> distances;
+	operator Setback() const { return set_back(polygon, distances); }
+};
+
 class SetbackOperation {
 public:
 	SetbackOperation(Context &context, const Geometry &geometry, const Block &block, double uv_set)
@@ -123,7 +130,7 @@ private:
 				own[i] = index < distances.size() && _entry_of[index] != nobody ? distances[index] : 0.0;
 			}
 			first += face.edge_count();
-			results.push_back(set_back(face.loops(), own));
+			results.emplace_back(SetbackOf{ face.loops(), own });
 			is_complete &= results.back().is_complete;
 		}
 		if (!is_complete) {
@@ -132,13 +139,13 @@ private:
 		return results;
 	}
 
-	FacePieces strips_of(std::span<const Setback> results, uint32_t entry) const {
-		FacePieces pieces;
+	SeenPieces strips_of(std::span<const Setback> results, uint32_t entry) const {
+		SeenPieces pieces;
 		uint32_t first = 0;
 		for (size_t f = 0; f < _faces.size(); ++f) {
 			for (const SetbackStrip &strip : results[f].strips) {
 				if (_entry_of[first + strip.edge] == entry) {
-					pieces.push_back({ &_faces[f], strip.polygon });
+					pieces.push_back({ &_faces[f], &strip.polygon });
 				}
 			}
 			first += _faces[f].edge_count();
@@ -146,11 +153,11 @@ private:
 		return pieces;
 	}
 
-	FacePieces rest_of(std::span<const Setback> results) const {
-		FacePieces pieces;
+	SeenPieces rest_of(std::span<const Setback> results) const {
+		SeenPieces pieces;
 		for (size_t f = 0; f < _faces.size(); ++f) {
 			for (const Loops2 &polygon : results[f].rest) {
-				pieces.push_back({ &_faces[f], polygon });
+				pieces.push_back({ &_faces[f], &polygon });
 			}
 		}
 		return pieces;

@@ -26,7 +26,7 @@ Flow run_both(Context &context, const Block &block, const ShapeAndRest &pieces) 
 			context.vm.warn("unknown-selector", "only `shape` and `remainder` can be selected here");
 			continue;
 		}
-		if (run_pieces(context, children, children.parent(), entry, is_shape ? pieces.shape : pieces.rest) != Flow::Next) {
+		if (run_pieces(context, children, children.parent(), entry, seen(is_shape ? pieces.shape : pieces.rest)) != Flow::Next) {
 			return Flow::Stop;
 		}
 	}
@@ -50,7 +50,9 @@ Loops2 without_seams(const Loops2 &polygon, const FlatFace &face) {
 			return !has(corners) && std::ranges::none_of(face.loops(), has);
 		};
 		result.push_back(loop);
-		erase_if(result.back(), is_seam);
+		if (corners.size() < loop.size()) {
+			erase_if(result.back(), is_seam);
+		}
 	}
 	return result;
 }
