@@ -68,6 +68,11 @@ private:
 		const BlockId block = BlockId(_map.home_of(index));
 		_layout.blocks[index_of(block)].lots.push_back(LotId(_layout.lots.size()));
 		_layout.lots.push_back({ block, known_type(footprint, _p), to_ground(loop), widths, derive_seed(_p.seed, _layout.lots.size()), footprint.height });
+		for (const Loop2 &hole : footprint.holes) {
+			_layout.lots.back().holes.push_back(to_ground(hole));
+		}
+		const uint32_t around = _map.around(index);
+		_layout.lots.back().around = around < _footprints.size() ? LotId(around) : LotId::Invalid; // on errors there is no layout: a lot for each
 		return true;
 	}
 
