@@ -162,6 +162,24 @@ Loop2 FootprintMap::tile_outline(uint32_t tile) const {
 	return PlanBox{ low, low + size }.outline();
 }
 
+std::vector<uint32_t> FootprintMap::tiles_around(uint32_t tile) const {
+	std::vector<uint32_t> tiles{ tile };
+	const uint32_t column = tile % _columns, row = tile / _columns;
+	if (column > 0) {
+		tiles.push_back(tile - 1);
+	}
+	if (column + 1 < _columns) {
+		tiles.push_back(tile + 1);
+	}
+	if (row > 0) {
+		tiles.push_back(tile - _columns);
+	}
+	if (row + 1 < _rows) {
+		tiles.push_back(tile + _columns);
+	}
+	return tiles;
+}
+
 uint32_t FootprintMap::home_of(uint32_t footprint) const { return tile_at((_boxes[footprint].min + _boxes[footprint].max) / 2.0); }
 
 glm::uvec2 FootprintMap::cell_of(glm::dvec2 point) const {

@@ -161,3 +161,17 @@ TEST_CASE("holes that cannot be are refused by the name of their footprint, and 
 	REQUIRE(layout.overlaps.size() == 1);
 	CHECK(layout.overlaps[0].area == doctest::Approx(30.0));
 }
+
+TEST_CASE("a courtyard between several footprints is no street: fronts look out, but for what stands in it") {
+	const auto around = [](double gap) {
+		return std::vector<Footprint>{ box(0, 10 + gap, 10, 30), box(0, 0, 50, 10), box(40, 10, 50, 30), box(0, 30, 50, 40), box(20, 15, 30, 25) };
+	};
+	const Layout closed = make(around(0));
+	CHECK(closed.lots[0].polygon[0].x == 0.0f); // the western side, though that to the courtyard is as long
+	CHECK(closed.lots[0].polygon[1].x == 0.0f);
+	CHECK(std::ranges::count(closed.lots[0].street_widths, 8.0f) == 1);
+	CHECK(std::ranges::count(closed.lots[1].street_widths, 8.0f) == 3);
+	CHECK(closed.lots[4].street_widths == std::vector<float>(4, 8.0f));
+	CHECK(std::ranges::count(make(around(1)).lots[0].street_widths, 8.0f) == 3); // and the side in the gap
+	CHECK(std::ranges::count(make(around(0.4)).lots[0].street_widths, 8.0f) == 1); // too narrow: nobody gets through
+}
