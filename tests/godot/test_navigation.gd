@@ -66,6 +66,31 @@ func test_a_thousand_ways_are_as_long_as_those_of_the_engine() -> void:
 	check(ours <= theirs and ours > theirs * 0.95, "all ways together are a little shorter: %s and %s m" % [ours, theirs])
 
 
+# Rounding must not part what two tiles share.
+func test_the_ground_of_a_turned_city_holds_together() -> void:
+	for turned: Array in [[37.0, 0.25], [45.0, 0.3], [-121.0, 0.25]]: # degrees, and size of the map's cells
+		var map: RID = get_viewport().world_3d.navigation_map
+		NavigationServer3D.map_set_cell_size(map, turned[1])
+		await get_tree().physics_frame
+		await get_tree().physics_frame
+		var city: PCGCity = CityForTests.make_city(60)
+		city.rotation_degrees.y = turned[0]
+		city.position = Vector3(123.4, 0, -56.7)
+		add_child(city)
+		check(city.generate_now(), "it generates: %s" % [city.get_diagnostics()])
+		var doors: Array = city.find_children("*", "PCGEntrance", true, false).map(func(door: PCGEntrance) -> Vector3: return door.global_position)
+		await _wait_for_map(map, doors.front(), doors.back())
+		var reached := 0
+		for door: Vector3 in doors:
+			var way: PackedVector3Array = NavigationServer3D.map_get_path(map, doors[0], door, true)
+			reached += int(not way.is_empty() and way[-1].distance_to(NavigationServer3D.map_get_closest_point(map, door)) < 0.1)
+		check_equal(reached, doors.size(), "the engine's ways lead to all doors, turned by %s degrees" % turned[0])
+		check(range(city.get_building_count()).all(func(i: int) -> bool: return is_finite(city.get_distance(0, i))), "and so do ours")
+		city.free()
+		NavigationServer3D.map_set_cell_size(map, 0.25)
+		await get_tree().physics_frame
+
+
 func test_the_nearest_building_is_the_nearest_to_walk_to() -> void:
 	var city: PCGCity = CityForTests.make_city(60)
 	add_child(city)

@@ -146,6 +146,24 @@ func test_bytes_that_are_damaged_are_refused() -> void:
 	check_equal(_nodes(again, "PCGLot").size(), 6, "in place of what was there")
 
 
+func test_a_city_of_an_older_version_is_told_once_and_can_be_generated_anew() -> void:
+	var city: PCGCity = _grown(6)
+	var bytes: PackedByteArray = city.saved_city
+	bytes[0] -= 1 # the lowest byte of the version
+	var scene := PackedScene.new()
+	scene.pack(city)
+	var again: PCGCity = scene.instantiate()
+	again.saved_city = bytes
+	expect_message("this city was saved by another version")
+	add_child(again)
+	check_equal(again.get_diagnostics().size(), 1, "one message: %s" % [again.get_diagnostics()])
+	check(not again.is_generated() and not again.is_generating(), "there is no city")
+	check(again.generate_now(), "but it can be generated")
+	await _settle()
+	check_equal(_nodes(again, "PCGLot").size(), 6, "in place of what was there")
+	check_equal(again.get_diagnostics().size(), 0, "and nothing is told any more: %s" % [again.get_diagnostics()])
+
+
 func test_a_lot_that_is_generated_anew_touches_no_other() -> void:
 	var city: PCGCity = _grown()
 	var lots: Array = _nodes(city, "PCGLot").filter(func(lot: PCGLot) -> bool: return lot.type == "house")

@@ -10,7 +10,7 @@ namespace pcg {
 
 namespace {
 
-constexpr uint32_t version = 0x50434702; // changes with the records below
+constexpr uint32_t version = 0x50434703; // changes with the records below
 
 // Each visit names the fields of a record once, for writing and reading.
 template <typename Bytes, typename Point> void visit_point(Bytes &bytes, Point &point) { bytes.values(point.x, point.y, point.z); }
@@ -30,6 +30,11 @@ template <typename Bytes, typename Record> void visit_lot(Bytes &bytes, Record &
 	visit_values(bytes, lot.street_widths);
 }
 
+template <typename Bytes, typename Record> void visit_courtyards(Bytes &bytes, Record &lot) {
+	bytes.values(lot.around);
+	bytes.list(lot.holes, [](Bytes &inner, auto &hole) { visit_polygon(inner, hole); });
+}
+
 template <typename Bytes, typename Record> void visit_ground(Bytes &bytes, Record &ground) {
 	bytes.choice(ground.kind, size_t(GroundKind::Pavement) + 1);
 	bytes.values(ground.block, ground.street);
@@ -43,7 +48,10 @@ template <typename Bytes, typename Record> void visit_layout(Bytes &bytes, Recor
 		visit_values(inner, block.pavements);
 		visit_polygon(inner, block.outline);
 	});
-	bytes.list(layout.lots, [](Bytes &inner, auto &lot) { visit_lot(inner, lot); });
+	bytes.list(layout.lots, [](Bytes &inner, auto &lot) {
+		visit_lot(inner, lot);
+		visit_courtyards(inner, lot);
+	});
 	visit_polygon(bytes, layout.junctions);
 	bytes.list(layout.streets, [](Bytes &inner, auto &street) { inner.values(street.from, street.to, street.width); });
 	bytes.list(layout.ground, [](Bytes &inner, auto &ground) { visit_ground(inner, ground); });
@@ -92,7 +100,8 @@ bool is_sound(const CityBlock &block, const Layout &layout) {
 
 bool is_sound(const Layout &layout) {
 	const auto is_sound_lot = [&](const Lot &lot) {
-		return index_of(lot.block) < layout.blocks.size() && is_polygon(lot.polygon) && lot.street_widths.size() == lot.polygon.size();
+		return index_of(lot.block) < layout.blocks.size() && is_polygon(lot.polygon) && lot.street_widths.size() == lot.polygon.size() &&
+				std::ranges::all_of(lot.holes, is_polygon) && (!is_valid(lot.around) || index_of(lot.around) < layout.lots.size());
 	};
 	const auto is_sound_street = [&](const Street &street) { return std::max(street.from, street.to) < layout.junctions.size(); };
 	const auto is_sound_ground = [&](const Ground &ground) {
@@ -110,7 +119,12 @@ bool is_sound(const Layout &layout) {
 uint64_t fingerprint_of(const Layout &layout) {
 	ByteWriter bytes;
 	bytes.values(layout.seed);
-	bytes.list(layout.lots, [](ByteWriter &inner, const Lot &lot) { visit_lot(inner, lot); });
+	bytes.list(layout.lots, [](ByteWriter &inner, const Lot &lot) {
+		visit_lot(inner, lot);
+		if (!lot.holes.empty()) { // without any it is what it was before there were any
+			visit_courtyards(inner, lot);
+		}
+	});
 	return hash_text(bytes.bytes()) | 1;
 }
 

@@ -33,6 +33,9 @@ cga::InitialShape initial_shape(const Layout &layout, LotId id, const LotRules &
 	const Lot &lot = layout.lot(id);
 	std::vector<glm::dvec3> outline(lot.polygon.begin(), lot.polygon.end());
 	cga::InitialShape shape = cga::InitialShape::of(std::move(outline), lot.seed);
+	for (const std::vector<glm::vec3> &hole : lot.holes) {
+		shape.faces[0].holes.emplace_back(hole.begin(), hole.end());
+	}
 	shape.street_widths = lot.street_widths;
 	shape.name = lot_name(layout, id);
 	shape.start_rule = rules.start_rule;
@@ -81,7 +84,7 @@ LotOccluders occluders_for_asking(const City &city, const RulesByType &rules, co
 void build_lot(City &city, LotId id, const LotRules &rules, const LotOccluders &occluders, const CityOptions &options, Derivers &derivers) {
 	LotBuild &build = city.lots[index_of(id)];
 	build.model = derivers.derive(*rules.program, initial_shape(city.layout, id, rules), { occluders, index_of(id) });
-	build.free_ground = free_ground(city.layout.lot(id), build.model, options.free_ground);
+	build.free_ground = free_ground(city.layout.lot(id), build.model, options.free_ground, lots_within(city.layout, id));
 }
 
 // Where a lot cannot be used as what it is: neither a door nor a zone of its own type (a park).
@@ -122,7 +125,7 @@ void report_missing_rules(const Layout &layout, const RulesByType &rules, Diagno
 
 // On a lot without rules nothing stands.
 void leave_empty(City &city, LotId id, const CityOptions &options) {
-	city.lots[index_of(id)].free_ground = free_ground(city.layout.lot(id), cga::DerivationResult(), options.free_ground);
+	city.lots[index_of(id)].free_ground = free_ground(city.layout.lot(id), cga::DerivationResult(), options.free_ground, lots_within(city.layout, id));
 }
 
 } // namespace

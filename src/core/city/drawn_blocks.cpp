@@ -8,7 +8,7 @@
 #include "core/city/block_division.h"
 #include "core/city/footprint_map.h"
 #include "core/city/plan_layout.h"
-#include "core/geometry/polygon.h"
+#include "core/geometry/sides.h"
 
 namespace pcg {
 
@@ -19,12 +19,6 @@ constexpr double widest_street = 40.0; // metres
 constexpr double narrowest_street = 2.0; // metres; blocks that touch have pavements between their lots
 constexpr double in_front = 1e-3; // metres from a side to where its street begins
 constexpr size_t named_blocks = 5; // in a message
-
-double distance_to(glm::dvec2 a, glm::dvec2 b, glm::dvec2 point) {
-	const glm::dvec2 along = b - a;
-	const double t = std::clamp(glm::dot(point - a, along) / std::max(glm::dot(along, along), 1e-12), 0.0, 1.0);
-	return glm::distance(point, a + along * t);
-}
 
 // Of the corners from `first` to `last` (numbers count on around the loop), marks those without which the outline would move by more than `tolerance` (Douglas
 // and Peucker).
@@ -106,7 +100,7 @@ private:
 		const Footprint &block = _blocks[index];
 		const size_t count = block.outline.size();
 		const uint32_t first = uint32_t(_layout.junctions.size());
-		BlockBorder border{ block.outline, {} };
+		BlockBorder border{ block.outline, {}, { block.holes.begin(), block.holes.end() }, blocks_within(index) };
 		for (uint32_t side = 0; side < count; ++side) {
 			border.streets.push_back(uint32_t(_layout.streets.size()));
 			_layout.junctions.push_back(to_ground(block.outline[side]));
@@ -120,6 +114,16 @@ private:
 		}
 	}
 
+	Loops2 blocks_within(uint32_t index) const {
+		Loops2 outlines;
+		for (uint32_t i = 0; i < _blocks.size() && !_blocks[index].holes.empty(); ++i) {
+			if (_map.around(i) == index) {
+				outlines.push_back(_blocks[i].outline);
+			}
+		}
+		return outlines;
+	}
+
 	// Metres.
 	float street_beside(glm::dvec2 a, glm::dvec2 b) const {
 		const glm::dvec2 along = (b - a) / std::max(glm::distance(a, b), in_front), outwards{ along.y, -along.x };
@@ -128,14 +132,11 @@ private:
 	}
 
 	void find_lot_overlaps() {
-		std::vector<Loop2> outlines;
+		std::vector<Loops2> polygons;
 		for (const Lot &lot : _layout.lots) {
-			Loop2 &outline = outlines.emplace_back();
-			for (const glm::vec3 &corner : lot.polygon) {
-				outline.push_back({ double(corner.x), -double(corner.z) });
-			}
+			polygons.push_back({ to_plan(lot.polygon) });
 		}
-		for (const OutlineOverlap &overlap : find_overlaps(outlines)) {
+		for (const OutlineOverlap &overlap : find_overlaps(polygons)) {
 			_layout.overlaps.push_back({ LotId(overlap.a), LotId(overlap.b), float(overlap.area) });
 		}
 	}
@@ -192,6 +193,9 @@ std::optional<Layout> layout_of_blocks(const std::vector<Footprint> &blocks, con
 	std::vector<Footprint> simple = blocks;
 	for (Footprint &block : simple) {
 		block.outline = simplified(block.outline, smoothed * double(parameters.lot_front));
+		for (Loop2 &hole : block.holes) {
+			hole = simplified(hole, smoothed * double(parameters.lot_front));
+		}
 	}
 	std::optional<Layout> layout = BlocksBuilder(simple, parameters, diagnostics).build();
 	return layout && assign_types(*layout, parameters, diagnostics) ? std::move(layout) : std::nullopt;

@@ -6,6 +6,7 @@
 
 #include "core/base/random.h"
 #include "core/city/footprint_map.h"
+#include "core/city/open_ground.h"
 #include "core/city/plan_layout.h"
 
 namespace pcg {
@@ -17,7 +18,7 @@ constexpr double beside = 0.1; // metres from a side to where it is asked what l
 class FootprintBuilder {
 public:
 	FootprintBuilder(const std::vector<Footprint> &footprints, const LayoutParameters &p, Diagnostics &diagnostics) :
-			_footprints(footprints), _p(p), _diagnostics(diagnostics), _map(footprints, double(p.pavement_width) + double(p.street_width)) {}
+			_footprints(footprints), _p(p), _diagnostics(diagnostics), _map(footprints, double(p.pavement_width) + double(p.street_width)), _ground(_map) {}
 
 	std::optional<Layout> build() {
 		_layout.blocks.resize(_map.tile_count());
@@ -41,20 +42,32 @@ public:
 	}
 
 private:
+	// Width of the street at each side: 0 where another footprint stands, and in a courtyard between several, if there are other sides.
+	std::vector<float> street_widths(uint32_t index) const {
+		const Loop2 &loop = _footprints[index].outline;
+		std::vector<float> open, enclosed;
+		for (size_t i = 0; i < loop.size(); ++i) {
+			const glm::dvec2 along = loop[(i + 1) % loop.size()] - loop[i];
+			const glm::dvec2 outside = loop[i] + along / 2.0 + glm::dvec2(along.y, -along.x) * (beside / std::max(glm::length(along), beside));
+			const bool is_free = !_map.is_built(outside, index);
+			const bool is_enclosed = is_free && _ground.is_enclosed(outside);
+			open.push_back(is_free && !is_enclosed ? _p.street_width : 0.0f);
+			enclosed.push_back(is_enclosed ? _p.street_width : 0.0f);
+		}
+		return std::ranges::all_of(open, [](float width) { return width <= 0.0f; }) ? enclosed : open;
+	}
+
 	// False if nobody could enter it.
 	bool add_lot(uint32_t index) {
 		const Footprint &footprint = _footprints[index];
 		Loop2 loop = footprint.outline;
-		std::vector<float> widths;
+		std::vector<float> widths = street_widths(index);
 		size_t front = loop.size();
 		double front_length = 0.0;
 		for (size_t i = 0; i < loop.size(); ++i) {
-			const glm::dvec2 along = loop[(i + 1) % loop.size()] - loop[i];
-			const glm::dvec2 outside = loop[i] + along / 2.0 + glm::dvec2(along.y, -along.x) * (beside / std::max(glm::length(along), beside));
-			const bool is_open = !_map.is_built(outside, index);
-			widths.push_back(is_open ? _p.street_width : 0.0f);
-			if (is_open && glm::length(along) > front_length) {
-				front_length = glm::length(along);
+			const double length = glm::distance(loop[i], loop[(i + 1) % loop.size()]);
+			if (widths[i] > 0.0f && length > front_length) {
+				front_length = length;
 				front = i;
 			}
 		}
@@ -68,6 +81,11 @@ private:
 		const BlockId block = BlockId(_map.home_of(index));
 		_layout.blocks[index_of(block)].lots.push_back(LotId(_layout.lots.size()));
 		_layout.lots.push_back({ block, known_type(footprint, _p), to_ground(loop), widths, derive_seed(_p.seed, _layout.lots.size()), footprint.height });
+		for (const Loop2 &hole : footprint.holes) {
+			_layout.lots.back().holes.push_back(to_ground(hole));
+		}
+		const uint32_t around = _map.around(index);
+		_layout.lots.back().around = around < _footprints.size() ? LotId(around) : LotId::Invalid; // on errors there is no layout: a lot for each
 		return true;
 	}
 
@@ -79,7 +97,7 @@ private:
 		}
 		std::sort(near.begin(), near.end());
 		near.erase(std::unique(near.begin(), near.end()), near.end());
-		for (const Loop2 &piece : _map.open_ground(tile)) {
+		for (const Loop2 &piece : _ground.pieces_in(tile)) {
 			for (uint32_t block : near) {
 				_layout.blocks[block].pavements.push_back(uint32_t(_layout.ground.size()));
 			}
@@ -91,6 +109,7 @@ private:
 	const LayoutParameters &_p;
 	Diagnostics &_diagnostics;
 	FootprintMap _map;
+	OpenGround _ground;
 	Layout _layout;
 };
 

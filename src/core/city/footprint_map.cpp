@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/geometry/convex_parts.h"
-#include "core/geometry/polygon.h"
+#include "core/geometry/sides.h"
 
 namespace pcg {
 
@@ -17,8 +17,6 @@ constexpr double farthest = 50'000.0; // metres
 constexpr double most_ground = 200e6; // square metres: a box of 14 by 14 km has 125,000 tiles
 constexpr double least_area = 1.0; // square metres
 
-double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
-
 PlanBox box_of(const Loop2 &loop) {
 	PlanBox box;
 	for (const glm::dvec2 &point : loop) {
@@ -27,17 +25,56 @@ PlanBox box_of(const Loop2 &loop) {
 	return box;
 }
 
-void check(const Footprint &footprint, Diagnostics &diagnostics) {
-	const Loop2 &loop = footprint.outline;
-	const bool is_near = std::all_of(loop.begin(), loop.end(), [](glm::dvec2 p) { return std::abs(p.x) <= farthest && std::abs(p.y) <= farthest; });
-	const auto error = [&](const char *what, const char *hint) { diagnostics.error("bad-footprint", footprint.name + ": " + what, hint); };
-	if (!is_near) {
-		error("it lies farther than 50 km from the origin", "cut the map into smaller ones");
-	} else if (loop.size() < 3 || !(signed_area(loop) / 2.0 >= least_area)) {
-		error("its outline has less than 1 square metre", "leave it out, or draw it counter-clockwise with three corners or more");
-	} else if (is_self_intersecting(loop)) {
-		error("its outline crosses itself", "draw it so that no two of its sides meet between their ends");
+bool is_near(const Loop2 &loop) {
+	return std::all_of(loop.begin(), loop.end(), [](glm::dvec2 p) { return std::abs(p.x) <= farthest && std::abs(p.y) <= farthest; });
+}
+
+// Holes that lie apart and within the outline are what is left of them.
+bool are_holes_apart(const Footprint &footprint) {
+	Loops2 holes;
+	double area = signed_area(footprint.outline);
+	for (const Loop2 &hole : footprint.holes) {
+		holes.push_back(hole);
+		area -= signed_area(hole);
 	}
+	const Polygons2 left = overlay({ footprint.outline }, holes, OverlayKind::Difference);
+	if (left.size() != 1 || left[0].size() != 1 + holes.size()) {
+		return false;
+	}
+	for (const Loop2 &loop : left[0]) {
+		area -= signed_area(loop);
+	}
+	return std::abs(area) < 0.01 * least_area;
+}
+
+// An outline or a hole. True if it is sound.
+bool check(const Footprint &footprint, const Loop2 &loop, const char *what, Diagnostics &diagnostics) {
+	const auto error = [&](const char *problem, const char *hint) {
+		diagnostics.error("bad-footprint", footprint.name + ": " + what + problem, hint);
+		return false;
+	};
+	if (!is_near(loop)) {
+		return error(" lies farther than 50 km from the origin", "cut the map into smaller ones");
+	}
+	if (loop.size() < 3 || !(signed_area(loop) / 2.0 >= least_area)) {
+		return error(" has less than 1 square metre", "leave it out, or draw it counter-clockwise with three corners or more");
+	}
+	return !is_self_intersecting(loop) || error(" crosses itself", "draw it so that no two of its sides meet between their ends");
+}
+
+void check(const Footprint &footprint, Diagnostics &diagnostics) {
+	bool is_sound = check(footprint, footprint.outline, "its outline", diagnostics);
+	for (const Loop2 &hole : footprint.holes) {
+		is_sound = is_sound && check(footprint, hole, "a hole in it", diagnostics);
+	}
+	if (is_sound && !footprint.holes.empty() && !are_holes_apart(footprint)) {
+		diagnostics.error("bad-footprint", footprint.name + ": a hole in it meets its outline or another hole, or lies outside",
+				"draw holes within the outline and apart from each other");
+	}
+}
+
+bool is_within(const PlanBox &inner, const PlanBox &outer) {
+	return inner.min.x >= outer.min.x && inner.min.y >= outer.min.y && inner.max.x <= outer.max.x && inner.max.y <= outer.max.y;
 }
 
 void check_extent(const std::vector<Footprint> &footprints, Diagnostics &diagnostics) {
@@ -77,16 +114,25 @@ bool check_footprints(const std::vector<Footprint> &footprints, Diagnostics &dia
 }
 
 std::vector<OutlineOverlap> report_overlaps(const std::vector<Footprint> &footprints, Diagnostics &diagnostics) {
-	std::vector<Loop2> outlines;
+	std::vector<Loops2> polygons;
 	for (const Footprint &footprint : footprints) {
-		outlines.push_back(footprint.outline);
+		polygons.push_back(polygon_of(footprint));
 	}
-	std::vector<OutlineOverlap> overlaps = find_overlaps(outlines);
+	std::vector<OutlineOverlap> overlaps = find_overlaps(polygons);
 	for (const OutlineOverlap &overlap : overlaps) {
 		diagnostics.warning("overlap", footprints[overlap.a].name + " and " + footprints[overlap.b].name + " overlap by " +
 						std::to_string(int(std::round(overlap.area))) + " square metres", "draw them side by side");
 	}
 	return overlaps;
+}
+
+Loops2 polygon_of(const Footprint &footprint) {
+	Loops2 polygon{ footprint.outline };
+	for (const Loop2 &hole : footprint.holes) {
+		polygon.push_back(hole);
+		std::reverse(polygon.back().begin(), polygon.back().end());
+	}
+	return polygon;
 }
 
 std::string known_type(const Footprint &footprint, const LayoutParameters &p) {
@@ -116,6 +162,24 @@ Loop2 FootprintMap::tile_outline(uint32_t tile) const {
 	return PlanBox{ low, low + size }.outline();
 }
 
+std::vector<uint32_t> FootprintMap::tiles_around(uint32_t tile) const {
+	std::vector<uint32_t> tiles{ tile };
+	const uint32_t column = tile % _columns, row = tile / _columns;
+	if (column > 0) {
+		tiles.push_back(tile - 1);
+	}
+	if (column + 1 < _columns) {
+		tiles.push_back(tile + 1);
+	}
+	if (row > 0) {
+		tiles.push_back(tile - _columns);
+	}
+	if (row + 1 < _rows) {
+		tiles.push_back(tile + _columns);
+	}
+	return tiles;
+}
+
 uint32_t FootprintMap::home_of(uint32_t footprint) const { return tile_at((_boxes[footprint].min + _boxes[footprint].max) / 2.0); }
 
 glm::uvec2 FootprintMap::cell_of(glm::dvec2 point) const {
@@ -134,7 +198,29 @@ void FootprintMap::for_tiles(const PlanBox &box, auto action) const {
 
 bool FootprintMap::is_built(glm::dvec2 point, uint32_t but) const {
 	const std::vector<uint32_t> &here = _tiles[tile_at(point)];
-	return std::any_of(here.begin(), here.end(), [&](uint32_t i) { return i != but && contains(_footprints[i].outline, point); });
+	return std::any_of(here.begin(), here.end(), [&](uint32_t i) {
+		const std::vector<Loop2> &holes = _footprints[i].holes;
+		return i != but && contains(_footprints[i].outline, point) &&
+				std::none_of(holes.begin(), holes.end(), [&](const Loop2 &hole) { return contains(hole, point); });
+	});
+}
+
+uint32_t FootprintMap::around(uint32_t footprint) const {
+	const Loop2 &inner = _footprints[footprint].outline;
+	uint32_t found = uint32_t(_footprints.size());
+	double smallest = INFINITY;
+	for (const uint32_t i : _tiles[home_of(footprint)]) {
+		const double area = signed_area(_footprints[i].outline);
+		if (i == footprint || area >= smallest || !is_within(_boxes[footprint], _boxes[i])) {
+			continue;
+		}
+		const auto has_it = [&](const Loop2 &hole) { return shared_area({ hole }, { inner }) > signed_area(inner) / 4.0; };
+		if (std::any_of(_footprints[i].holes.begin(), _footprints[i].holes.end(), has_it)) {
+			found = i;
+			smallest = area;
+		}
+	}
+	return found;
 }
 
 Loops2 FootprintMap::open_ground(uint32_t tile) const {
@@ -158,14 +244,9 @@ double FootprintMap::free_way(glm::dvec2 from, glm::dvec2 direction, double reac
 	way.add(from + direction * reach);
 	for_tiles(way, [&](uint32_t tile) {
 		for (const uint32_t i : _tiles[tile]) {
-			const Loop2 &loop = _footprints[i].outline;
-			for (size_t side = 0; side < loop.size(); ++side) {
-				const glm::dvec2 a = loop[side] - from, b = loop[(side + 1) % loop.size()] - from;
-				const double below = cross(direction, a), above = cross(direction, b);
-				if ((below < 0.0) != (above < 0.0)) {
-					const double metres = glm::dot(a + (b - a) * (below / (below - above)), direction);
-					nearest = metres >= 0.0 ? std::min(nearest, metres) : nearest;
-				}
+			nearest = std::min(nearest, way_to(_footprints[i].outline, from, direction));
+			for (const Loop2 &hole : _footprints[i].holes) {
+				nearest = std::min(nearest, way_to(hole, from, direction));
 			}
 		}
 	});

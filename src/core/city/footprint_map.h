@@ -23,6 +23,9 @@ bool check_footprints(const std::vector<Footprint> &footprints, Diagnostics &dia
 // Those that share ground, each pair with a warning that names both.
 std::vector<OutlineOverlap> report_overlaps(const std::vector<Footprint> &footprints, Diagnostics &diagnostics);
 
+// Outline and holes as one polygon.
+Loops2 polygon_of(const Footprint &footprint);
+
 // The type that a footprint is said to have if there are rules for it; else empty.
 std::string known_type(const Footprint &footprint, const LayoutParameters &parameters);
 
@@ -35,15 +38,18 @@ public:
 	uint32_t tile_count() const { return uint32_t(_tiles.size()); }
 	Loop2 tile_outline(uint32_t tile) const;
 	const std::vector<uint32_t> &footprints_in(uint32_t tile) const { return _tiles[tile]; } // that touch it, or nearly so
+	uint32_t tile_at(glm::dvec2 point) const { return cell_of(point).y * _columns + cell_of(point).x; }
+	std::vector<uint32_t> tiles_around(uint32_t tile) const; // itself and those that share a side with it
 	uint32_t home_of(uint32_t footprint) const; // the tile in which its middle lies
-	bool is_built(glm::dvec2 point, uint32_t but) const; // by a footprint other than `but`
-	// What footprints leave of a tile, in convex pieces.
+	bool is_built(glm::dvec2 point, uint32_t but) const; // by a footprint other than `but`; holes are not
+	// The smallest footprint that has one in a hole, for the most part; the number of footprints if none has.
+	uint32_t around(uint32_t footprint) const;
+	// What footprints, with their holes, leave of a tile, in convex pieces.
 	Loops2 open_ground(uint32_t tile) const;
 	// Metres from a point in a direction (unit) to the next side of a footprint; `reach` if there is none nearer.
 	double free_way(glm::dvec2 from, glm::dvec2 direction, double reach) const;
 
 private:
-	uint32_t tile_at(glm::dvec2 point) const { return cell_of(point).y * _columns + cell_of(point).x; }
 	glm::uvec2 cell_of(glm::dvec2 point) const;
 	void for_tiles(const PlanBox &box, auto action) const;
 

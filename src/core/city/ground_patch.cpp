@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/city/plan_layout.h"
 #include "core/geometry/convex_parts.h"
 
 namespace pcg {
@@ -55,18 +56,20 @@ void add_without(const WalkablePiece &piece, const Polygon &hole, std::vector<Wa
 	}
 }
 
-std::vector<Polygon> convex_holes(const Polygon &outline) {
-	Loop2 plan;
-	for (const glm::vec3 &corner : outline) {
-		plan.push_back({ double(corner.x), -double(corner.z) });
+std::vector<Polygon> convex_holes(const GroundPatch &patch) {
+	Loops2 kept;
+	for (const Polygon &outline : patch.kept) {
+		kept.push_back(to_plan(outline));
 	}
+	const Loops2 whole{ to_plan(patch.outline) };
 	std::vector<Polygon> holes;
-	for (const Loops2 &loops : convex_parts({ plan }, INFINITY)) {
-		Polygon hole;
-		for (const glm::dvec2 &corner : loops[0]) {
-			hole.push_back({ float(corner.x), outline[0].y, float(-corner.y) });
+	for (const Loops2 &polygon : kept.empty() ? Polygons2{ whole } : overlay(whole, kept, OverlayKind::Difference)) {
+		for (const Loops2 &part : convex_parts(polygon, INFINITY)) {
+			Polygon &hole = holes.emplace_back();
+			for (const glm::dvec2 &corner : part[0]) {
+				hole.push_back({ float(corner.x), patch.outline[0].y, float(-corner.y) });
+			}
 		}
-		holes.push_back(std::move(hole));
 	}
 	return holes;
 }
@@ -76,7 +79,7 @@ std::vector<Polygon> convex_holes(const Polygon &outline) {
 void apply_patches(std::vector<WalkablePiece> &ground, std::span<const GroundPatch> patches, float cost) {
 	std::vector<WalkablePiece> left;
 	for (const GroundPatch &patch : patches) {
-		for (const Polygon &hole : patch.outline.size() < 3 ? std::vector<Polygon>() : convex_holes(patch.outline)) {
+		for (const Polygon &hole : patch.outline.size() < 3 ? std::vector<Polygon>() : convex_holes(patch)) {
 			left.clear();
 			for (const WalkablePiece &piece : ground) {
 				add_without(piece, hole, left);

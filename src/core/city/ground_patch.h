@@ -11,6 +11,7 @@ namespace pcg {
 struct GroundPatch {
 	std::vector<glm::vec3> outline; // counter-clockwise from above; what lay within it cannot be walked on any more
 	std::vector<std::vector<glm::vec3>> pieces; // convex; what can be walked on instead
+	std::vector<std::vector<glm::vec3>> kept = {}; // outlines within; there all stays as it is
 };
 
 // A convex piece of ground and what a metre on it costs.

@@ -134,6 +134,19 @@ LayoutParameters layout_for_lots(uint32_t count, LayoutParameters base) {
 	return base;
 }
 
+std::vector<std::vector<glm::vec3>> lots_within(const Layout &layout, LotId lot) {
+	std::vector<std::vector<glm::vec3>> outlines;
+	if (layout.lot(lot).holes.empty()) {
+		return outlines;
+	}
+	for (const Lot &other : layout.lots) {
+		if (other.around == lot) {
+			outlines.push_back(other.polygon);
+		}
+	}
+	return outlines;
+}
+
 std::string lot_name(const Layout &layout, LotId lot) {
 	return "lot " + std::to_string(index_of(lot)) + " (" + layout.lot(lot).type + ")";
 }

@@ -52,6 +52,8 @@ struct Lot {
 	std::vector<float> street_widths;
 	uint64_t seed = 0; // depends on the layout's seed and the lot's id alone
 	float height = 0.0f; // metres of what stands there, for rules with an attribute `height`; 0 = theirs to say
+	std::vector<std::vector<glm::vec3>> holes = {}; // courtyards, which rules build around; their ground belongs to the lot but for lots within
+	LotId around = LotId::Invalid; // in whose courtyard this one stands
 };
 
 struct CityBlock {
@@ -121,6 +123,9 @@ uint32_t block_count(const LayoutParameters &parameters);
 // Parameters for a roughly square city of about `count` lots (a plain grid: exactly so up to 20), otherwise like `base`. Zero stays zero
 // blocks, which make_layout refuses.
 LayoutParameters layout_for_lots(uint32_t count, LayoutParameters base = {});
+
+// Outlines of the lots that stand in a lot's courtyards.
+std::vector<std::vector<glm::vec3>> lots_within(const Layout &layout, LotId lot);
 
 // "lot 12 (house)", for messages.
 std::string lot_name(const Layout &layout, LotId lot);

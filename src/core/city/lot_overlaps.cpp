@@ -25,15 +25,17 @@ Box box_of(const Loop2 &loop) {
 	return box;
 }
 
-// What the boxes share bounds what the outlines share: neighbours that touch need no more than this.
+// What the boxes share bounds what the polygons share: neighbours that touch need no more than this.
 double shared_area(const Box &a, const Box &b) {
 	const glm::dvec2 size = glm::min(a.max, b.max) - glm::max(a.min, b.min);
 	return std::max(0.0, size.x) * std::max(0.0, size.y);
 }
 
-double shared_area(const Loop2 &a, const Loop2 &b) {
+} // namespace
+
+double shared_area(const Loops2 &a, const Loops2 &b) {
 	double area = 0.0;
-	for (const Loops2 &polygon : overlay({ a }, { b }, OverlayKind::Intersection)) {
+	for (const Loops2 &polygon : overlay(a, b, OverlayKind::Intersection)) {
 		for (const Loop2 &loop : polygon) {
 			area += signed_area(loop) / 2.0;
 		}
@@ -41,15 +43,13 @@ double shared_area(const Loop2 &a, const Loop2 &b) {
 	return area;
 }
 
-} // namespace
-
 // From west to east: a list of those whose boxes reach as far as the next one's western side.
-std::vector<OutlineOverlap> find_overlaps(std::span<const Loop2> outlines, const std::vector<bool> &is_moved, double tolerance) {
+std::vector<OutlineOverlap> find_overlaps(std::span<const Loops2> polygons, const std::vector<bool> &is_moved, double tolerance) {
 	std::vector<Box> boxes;
-	for (const Loop2 &outline : outlines) {
-		boxes.push_back(box_of(outline));
+	for (const Loops2 &polygon : polygons) {
+		boxes.push_back(box_of(polygon[0]));
 	}
-	std::vector<uint32_t> order(outlines.size()), open;
+	std::vector<uint32_t> order(polygons.size()), open;
 	std::iota(order.begin(), order.end(), 0u);
 	std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return boxes[a].min.x < boxes[b].min.x; });
 	std::vector<OutlineOverlap> found;
@@ -60,7 +60,7 @@ std::vector<OutlineOverlap> find_overlaps(std::span<const Loop2> outlines, const
 			if (!is_asked || shared_area(boxes[i], boxes[next]) <= tolerance) {
 				continue;
 			}
-			if (const double area = shared_area(outlines[i], outlines[next]); area > tolerance) {
+			if (const double area = shared_area(polygons[i], polygons[next]); area > tolerance) {
 				found.push_back({ std::min(i, next), std::max(i, next), area });
 			}
 		}

@@ -14,8 +14,11 @@ struct OutlineOverlap {
 	double area = 0.0; // square metres that they share
 };
 
-// All pairs that share more than `tolerance` square metres, in order of their indices. Outlines in plan, counter-clockwise, in metres.
-// With `is_moved` (one for each outline) only pairs of which at least one has moved are looked at.
-std::vector<OutlineOverlap> find_overlaps(std::span<const Loop2> outlines, const std::vector<bool> &is_moved = {}, double tolerance = 1.0);
+// Square metres.
+double shared_area(const Loops2 &a, const Loops2 &b);
+
+// All pairs that share more than `tolerance` square metres, in order of their indices. Polygons in plan, in metres.
+// With `is_moved` (one for each polygon) only pairs of which at least one has moved are looked at.
+std::vector<OutlineOverlap> find_overlaps(std::span<const Loops2> polygons, const std::vector<bool> &is_moved = {}, double tolerance = 1.0);
 
 } // namespace pcg

@@ -17,8 +17,14 @@ constexpr float threshold_search = 3.0f;
 // The walkable ground around a lot, as plain zones for the questions of city_query.
 std::vector<Zone> walkable_around(const City &city, LotId lot) {
 	std::vector<Zone> pieces;
-	for (const std::vector<glm::vec3> &piece : city.lots[index_of(lot)].free_ground) {
-		pieces.push_back({ TypeId::Invalid, piece, 0.0f, lot, false });
+	const auto add_free_ground = [&](LotId of) {
+		for (const std::vector<glm::vec3> &piece : city.lots[index_of(of)].free_ground) {
+			pieces.push_back({ TypeId::Invalid, piece, 0.0f, lot, false });
+		}
+	};
+	add_free_ground(lot);
+	if (const LotId around = city.layout.lot(lot).around; is_valid(around)) {
+		add_free_ground(around);
 	}
 	for (uint32_t i : city.layout.block(city.layout.lot(lot).block).pavements) {
 		pieces.push_back({ TypeId::Invalid, city.layout.ground[i].polygon, 0.0f, lot, false });

@@ -117,6 +117,14 @@ std::vector<glm::vec3> to_ground(std::span<const glm::dvec2> points) {
 	return result;
 }
 
+Loop2 to_plan(std::span<const glm::vec3> points) {
+	Loop2 result;
+	for (const glm::vec3 &point : points) {
+		result.push_back({ double(point.x), -double(point.z) });
+	}
+	return result;
+}
+
 void frame_layout(Layout &layout) {
 	layout.min = layout.max = layout.outline[0];
 	for (const glm::vec3 &corner : layout.outline) {

@@ -2,6 +2,7 @@
 
 #include "core/city/layout.h"
 #include "core/city/street_plan.h"
+#include "core/geometry/polygon.h"
 
 namespace pcg {
 
@@ -12,6 +13,8 @@ std::optional<Layout> layout_of_plan(const StreetPlan &plan, const LayoutParamet
 // From the plan (x east, y north) to the world.
 glm::vec3 to_ground(glm::dvec2 point);
 std::vector<glm::vec3> to_ground(std::span<const glm::dvec2> points);
+// And back.
+Loop2 to_plan(std::span<const glm::vec3> points);
 
 // Sets min and max from the outline, and the tiles.
 void frame_layout(Layout &layout);

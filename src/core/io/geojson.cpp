@@ -15,7 +15,6 @@ namespace {
 constexpr double level_height = 3.0; // metres
 constexpr double tallest = 2000.0; // metres
 constexpr double largest_coordinate = 1e7;
-constexpr size_t named_features = 5; // in a message
 
 class GeoJsonReader {
 public:
@@ -108,37 +107,42 @@ private:
 		if (!rings || rings->empty()) {
 			return;
 		}
-		if (rings->size() > 1) {
-			_holes += rings->size() - 1;
-			tell_hole_of(footprint.name);
-		}
-		const auto points = rings->front().elements();
-		for (size_t i = 0; points && i < points->size(); ++i) {
-			const std::optional<glm::dvec2> point = read_point((*points)[i]);
-			if (!point) {
+		for (size_t i = 0; i < rings->size(); ++i) {
+			std::optional<Loop2> loop = read_ring((*rings)[i]);
+			if (!loop) {
 				return;
 			}
-			footprint.outline.push_back(*point);
-		}
-		Loop2 &loop = footprint.outline;
-		if (!points) {
-			return;
-		}
-		if (loop.size() < 4 || loop.front() != loop.back()) {
-			rings->front().error("expected four points or more, of which the last is the first again", "close the ring");
-			return;
-		}
-		loop.pop_back();
-		if (signed_area(loop) < 0.0) { // older files run either way
-			std::reverse(loop.begin(), loop.end());
+			if (i == 0) {
+				footprint.outline = std::move(*loop);
+			} else {
+				footprint.holes.push_back(std::move(*loop));
+			}
 		}
 		footprints.push_back(std::move(footprint));
 	}
 
-	void tell_hole_of(const std::string &name) {
-		if (_with_holes.empty() || _with_holes.back() != name) { // a MultiPolygon may have several
-			_with_holes.push_back(name);
+	// Counter-clockwise, holes, too: older files run either way.
+	static std::optional<Loop2> read_ring(const JsonValue &ring) {
+		const auto points = ring.elements();
+		Loop2 loop;
+		for (size_t i = 0; points && i < points->size(); ++i) {
+			const std::optional<glm::dvec2> point = read_point((*points)[i]);
+			if (!point) {
+				return std::nullopt;
+			}
+			loop.push_back(*point);
 		}
+		if (points && (loop.size() < 4 || loop.front() != loop.back())) {
+			ring.error("expected four points or more, of which the last is the first again", "close the ring");
+		}
+		if (!points || loop.size() < 4 || loop.front() != loop.back()) {
+			return std::nullopt;
+		}
+		loop.pop_back();
+		if (signed_area(loop) < 0.0) {
+			std::reverse(loop.begin(), loop.end());
+		}
+		return loop;
 	}
 
 	static std::optional<glm::dvec2> read_point(const JsonValue &value) {
@@ -159,19 +163,9 @@ private:
 		if (_other_geometries > 0) {
 			root.warning("left-out", std::to_string(_other_geometries) + " features are neither Polygon nor MultiPolygon and are left out");
 		}
-		if (_holes > 0) {
-			std::string names;
-			for (size_t i = 0; i < std::min(named_features, _with_holes.size()); ++i) {
-				names += (i > 0 ? "; " : "") + _with_holes[i];
-			}
-			names += _with_holes.size() > named_features ? "; and " + std::to_string(_with_holes.size() - named_features) + " more" : "";
-			root.warning("left-out", std::to_string(_holes) + " holes of polygons are left out, so their ground belongs to the lot or block around: " + names,
-					"for a courtyard, cut such a polygon into parts without holes");
-		}
 	}
 
-	size_t _other_geometries = 0, _holes = 0;
-	std::vector<std::string> _with_holes; // features
+	size_t _other_geometries = 0;
 };
 
 bool are_degrees(const std::vector<Footprint> &footprints) {
@@ -204,9 +198,13 @@ void place(std::vector<Footprint> &footprints, bool is_in_degrees) {
 		scale = { radians * equator / std::sqrt(w) * std::cos(middle.y * radians), radians * along_meridian };
 	}
 	for (Footprint &footprint : footprints) {
-		for (glm::dvec2 &point : footprint.outline) {
-			point = (point - middle) * scale;
-		}
+		const auto place_loop = [&](Loop2 &loop) {
+			for (glm::dvec2 &point : loop) {
+				point = (point - middle) * scale;
+			}
+		};
+		place_loop(footprint.outline);
+		std::for_each(footprint.holes.begin(), footprint.holes.end(), place_loop);
 	}
 }
 

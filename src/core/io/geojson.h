@@ -9,7 +9,7 @@
 #include "core/city/footprint_layout.h"
 
 // Footprints of buildings from GeoJSON (RFC 7946): a FeatureCollection or one Feature, of whose geometries each Polygon and each part of a
-// MultiPolygon is one footprint. Others are left out with a warning, and so are the holes of polygons, whose features are named. Of `properties`:
+// MultiPolygon is one footprint, with its holes. Others are left out with a warning. Of `properties`:
 // `height` in metres, a number or a text that begins with one ("12.5 m"), else `building:levels` at 3 m each; `use`, else `building` unless it is
 // "yes", as the type of lot.
 namespace pcg {

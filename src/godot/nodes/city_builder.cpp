@@ -288,6 +288,11 @@ void CityBuilder::build_lot(Node3D *parent, LotId id) {
 	node->set_block_id(int(index_of(lot.block)));
 	node->set_type(to_godot(std::string_view(lot.type)));
 	node->set_polygon(moved(lot.polygon, origin));
+	TypedArray<PackedVector3Array> holes;
+	for (const std::vector<glm::vec3> &hole : lot.holes) {
+		holes.push_back(moved(hole, origin));
+	}
+	node->set_holes(holes);
 	node->set_position(to_godot(origin));
 	node->add_to_group("pcg_lots", true);
 	add(parent, node, "Lot" + String::num_int64(index_of(id)));

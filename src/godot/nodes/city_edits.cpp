@@ -368,7 +368,8 @@ CityEdits::Patches CityEdits::patches() const {
 	for (size_t i = 0; i < is_at_home.size(); ++i) {
 		if (!is_at_home[i]) {
 			const Lot &lot = city.layout.lots[i];
-			result[{ Vacated, i }] = { lot.polygon, free_ground(lot, cga::DerivationResult()) };
+			const std::vector<std::vector<glm::vec3>> within = lots_within(city.layout, LotId(i));
+			result[{ Vacated, i }] = { lot.polygon, free_ground(lot, cga::DerivationResult(), {}, within), within };
 		}
 	}
 	for (const auto &[object, footprint] : _footprints) {
@@ -380,8 +381,7 @@ CityEdits::Patches CityEdits::patches() const {
 void CityEdits::mark_overlaps() {
 	std::vector<CityOverlaps::PlacedLot> lots;
 	for (const auto &[object, place] : _lots) {
-		const bool is_at_home = place.motion.is_equal_approx(Transform3D());
-		lots.push_back({ object, place.lot, is_at_home, placed(place.motion, _state->city.layout.lot(place.lot).polygon) });
+		lots.push_back({ object, place.lot, place.motion });
 	}
 	_overlaps.mark(_state->city.layout, lots);
 }

@@ -10,7 +10,7 @@ namespace pcg {
 
 namespace {
 
-bool is_same(const GroundPatch &a, const GroundPatch &b) { return a.outline == b.outline && a.pieces == b.pieces; }
+bool is_same(const GroundPatch &a, const GroundPatch &b) { return a.outline == b.outline && a.pieces == b.pieces && a.kept == b.kept; }
 
 void add_to(PlanBox &box, const NavRegion &region) {
 	for (const glm::vec3 &vertex : region.vertices) {

@@ -4,6 +4,8 @@
 #include <set>
 #include <vector>
 
+#include <godot_cpp/variant/transform3d.hpp>
+
 #include "core/city/layout.h"
 
 namespace pcg {
@@ -14,8 +16,9 @@ public:
 	struct PlacedLot {
 		uint64_t object = 0; // a PCGLot
 		LotId lot = LotId::Invalid;
-		bool is_at_home = true; // where the layout has it
-		std::vector<glm::vec3> polygon; // in the city
+		godot::Transform3D motion; // in the city, from where the layout has it
+
+		bool is_at_home() const { return motion.is_equal_approx(godot::Transform3D()); }
 	};
 
 	// All lots that stand in the scene. Those at home overlap as the layout says.

@@ -20,6 +20,9 @@ void PCGLot::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_polygon", "polygon"), &PCGLot::set_polygon);
 	ClassDB::bind_method(D_METHOD("get_polygon"), &PCGLot::get_polygon);
 	ADD_PROPERTY(PropertyInfo(Variant::PACKED_VECTOR3_ARRAY, "polygon"), "set_polygon", "get_polygon");
+	ClassDB::bind_method(D_METHOD("set_holes", "holes"), &PCGLot::set_holes);
+	ClassDB::bind_method(D_METHOD("get_holes"), &PCGLot::get_holes);
+	ADD_PROPERTY(PropertyInfo(Variant::ARRAY, "holes", PROPERTY_HINT_ARRAY_TYPE, "PackedVector3Array"), "set_holes", "get_holes");
 	ClassDB::bind_method(D_METHOD("get_overlapping_lots"), &PCGLot::get_overlapping_lots);
 }
 

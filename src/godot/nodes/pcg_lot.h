@@ -25,6 +25,8 @@ public:
 	godot::String get_type() const { return _type; }
 	void set_polygon(const godot::PackedVector3Array &p_polygon) { _polygon = p_polygon; }
 	godot::PackedVector3Array get_polygon() const { return _polygon; }
+	void set_holes(const godot::TypedArray<godot::PackedVector3Array> &p_holes) { _holes = p_holes; }
+	godot::TypedArray<godot::PackedVector3Array> get_holes() const { return _holes; }
 
 	// Other lots that stand on the same ground, and how many square metres of it; the city says so.
 	struct Overlap {
@@ -50,6 +52,7 @@ private:
 	int _block_id = -1;
 	godot::String _type;
 	godot::PackedVector3Array _polygon;
+	godot::TypedArray<godot::PackedVector3Array> _holes;
 	std::vector<Overlap> _overlaps;
 };
 

@@ -137,7 +137,7 @@ Ref<NavigationMesh> TileBaker::finish(uint32_t tile) {
 		PackedVector3Array vertices = job.mesh->get_vertices();
 		Vector3 *vertex = vertices.ptrw();
 		for (int64_t i = 0; i < vertices.size(); ++i) {
-			vertex[i] += Vector3(off_line, off_line - 2.0f * _settings.cell_height, off_line);
+			vertex[i] = Vector3(snap(vertex[i].x) + off_line, vertex[i].y + off_line - 2.0f * _settings.cell_height, snap(vertex[i].z) + off_line);
 		}
 		job.mesh->set_vertices(vertices);
 		remove_overlaid(job.mesh);

@@ -35,7 +35,8 @@ public:
 	void bake(uint32_t tile, bool is_async);
 	bool is_baking(uint32_t tile) const;
 	// Of a finished tile. Lowered onto the ground: the engine's baker puts its polygons two cells too high. And a millimetre off the lines of the map's cells:
-	// on a line, rounding would decide which cell a corner is in, and the map joins edges by cells.
+	// on a line, rounding would decide which cell a corner is in, and the map joins edges by cells. What two tiles share is equal to the last bit, so
+	// that it stays together wherever the city is moved and however it is turned.
 	godot::Ref<godot::NavigationMesh> finish(uint32_t tile);
 	size_t tile_count() const { return _jobs.size(); }
 

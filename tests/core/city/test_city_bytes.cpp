@@ -21,6 +21,8 @@ City small_city(LayoutKind kind) {
 		city.lots[i].entrances = { EntranceId(2 * i), EntranceId(2 * i + 1) };
 		city.lots[i].model.face_count = 7 * i;
 	}
+	city.layout.lots[4].holes = { { { 1, 0, -1 }, { 2, 0, -1 }, { 2, 0, -2 } } };
+	city.layout.lots[5].around = LotId(4);
 	city.ground.streets.resize(city.layout.tiles.size());
 	city.ground.blocks.resize(city.layout.blocks.size());
 	city.ground.blocks[0].model.face_count = 5;
@@ -40,6 +42,8 @@ TEST_CASE("a city read back from its bytes writes the same bytes") {
 		CHECK(diagnostics.is_empty());
 		CHECK(city_bytes(*again) == bytes);
 		CHECK(again->layout.lots.back().polygon == city.layout.lots.back().polygon);
+		CHECK(again->layout.lots[4].holes == city.layout.lots[4].holes);
+		CHECK(again->layout.lots[5].around == LotId(4));
 		CHECK(again->model.origin == fingerprint_of(city.layout));
 		CHECK(again->layout.lots.back().type == city.layout.lots.back().type);
 		CHECK(again->lots.back().free_ground == city.lots.back().free_ground);
@@ -54,7 +58,9 @@ TEST_CASE("the fingerprint tells cities apart by seed and lots") {
 	CHECK(fingerprint_of(layout) == fingerprint_of(small_city(LayoutKind::Grid).layout));
 	CHECK(fingerprint_of(layout) != 0);
 	CHECK(fingerprint_of(layout) != fingerprint_of(small_city(LayoutKind::Radial).layout));
-	Layout seeded = layout, typed = layout, moved = layout, shorter = layout;
+	Layout seeded = layout, typed = layout, moved = layout, shorter = layout, filled = layout;
+	filled.lots[4].holes.clear();
+	CHECK(fingerprint_of(filled) != fingerprint_of(layout));
 	++seeded.seed;
 	typed.lots[3].type += "s";
 	moved.lots[3].polygon[0].x += 0.01f;

@@ -7,6 +7,8 @@
 
 #include "core/city/city_bytes.h"
 #include "core/city/city_generator.h"
+#include "core/city/footprint_layout.h"
+#include "core/city/plan_layout.h"
 #include "core/city/walkable.h"
 #include "core/navigation/nav_mesh_paths.h"
 #include "core/navigation/reachability.h"
@@ -208,4 +210,40 @@ TEST_CASE("generating can be cancelled") {
 	options.work.progress = [&](size_t done, size_t) { cancel = done > 3; };
 	Diagnostics diagnostics;
 	CHECK_FALSE(generate_city(town(100), town_rules(), options, diagnostics).has_value());
+}
+
+TEST_CASE("rules build around a courtyard, which nobody enters without a gate; a lot within is an entrance that cannot be reached") {
+	Footprint ring, inner;
+	ring.outline = { { 0, 0 }, { 60, 0 }, { 60, 60 }, { 0, 60 } };
+	ring.holes = { { { 15, 15 }, { 45, 15 }, { 45, 45 }, { 15, 45 } } };
+	inner.outline = { { 25, 25 }, { 35, 25 }, { 35, 35 }, { 25, 35 } };
+	LayoutParameters parameters;
+	parameters.land_use = { { "house", 1.0 } };
+	constexpr std::string_view door = "House --> extrude(6) comp(f) { front: [ t('0.5, 0, 0) entrance(\"house\", 4) ] Wall. | all: Wall. }";
+	constexpr std::string_view gate = "House --> split(x) { ~1: Part | 4: NIL | ~1: Part }\nPart --> extrude(6) comp(f) { front: [ t('0.5, 0, 0) entrance(\"house\", 4) ] Wall. | all: Wall. }";
+	for (const bool has_gate : { false, true }) {
+		Diagnostics diagnostics;
+		std::optional<Layout> layout = layout_of_footprints({ ring, inner }, parameters, diagnostics);
+		REQUIRE(layout);
+		const std::string text = "@StartRule\nLot --> House\n" + std::string(has_gate ? gate : door);
+		const std::optional<City> city = generate_city(std::move(*layout), { { "house", { compile(text), {}, {} } } }, {}, diagnostics);
+		REQUIRE(city);
+		CHECK_MESSAGE(diagnostics.is_empty(), to_text(diagnostics));
+		double free = 0.0, roof = 0.0;
+		for (const std::vector<glm::vec3> &piece : city->lots[0].free_ground) {
+			free += signed_area(to_plan(piece)) / 2.0;
+		}
+		for (const MeshFace &face : city->lots[0].model.mesh.faces) {
+			for (uint32_t i = 0; face.normal.y > 0.9f && i < face.loop_count; ++i) {
+				roof += signed_area(to_plan(city->lots[0].model.mesh.loop(face.first_loop + i))) / 2.0;
+			}
+		}
+		// The courtyard less the lot within, and the gate, 4 m wide through both wings; walls on the border of two cells take one of them.
+		CHECK(free <= (has_gate ? 800.0 + 4.0 * 30.0 : 0.0));
+		CHECK(free >= (has_gate ? 0.97 * (800.0 + 4.0 * 30.0) : 0.0));
+		CHECK(roof == doctest::Approx(has_gate ? 2700.0 - 4.0 * 30.0 : 2700.0));
+		const std::vector<Reach> reach = reach_of_entrances(city->model, city_nav_mesh(*city), 1.0f);
+		const size_t cut_off = size_t(std::ranges::count_if(reach, [](Reach r) { return r != Reach::Reachable; }));
+		CHECK(cut_off == (has_gate ? 0 : 2)); // the other looks into the courtyard from the wing behind
+	}
 }

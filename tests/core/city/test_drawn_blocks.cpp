@@ -93,12 +93,14 @@ void check_layout(const Layout &layout) {
 	for (const Ground &ground : layout.ground) {
 		pieces.push_back(plan_of(ground.polygon));
 	}
+	std::vector<Loops2> polygons;
 	for (const Loop2 &piece : pieces) {
 		CHECK(signed_area(piece) > 0.0);
+		polygons.push_back({ piece });
 		sum += signed_area(piece) / 2.0;
 	}
 	CHECK(sum == doctest::Approx(area(layout.outline)).epsilon(1e-5));
-	CHECK(find_overlaps(pieces, {}, 0.02).empty()); // coordinates are floats
+	CHECK(find_overlaps(polygons, {}, 0.02).empty()); // coordinates are floats
 	CHECK(std::ranges::all_of(layout.lots, [&](const Lot &lot) { return has_fronts(layout, lot); }));
 }
 
@@ -221,6 +223,75 @@ TEST_CASE("a thousand maps of random blocks: lots and ground cover each once, an
 	}
 	CHECK(lots > 10'000);
 	CHECK(paved > 0);
+}
+
+TEST_CASE("a yard in a block is open ground with a passage to the street, and no lot lies over it") {
+	Footprint ring = box(0, 0, 106, 86);
+	ring.holes = { box(43, 33, 63, 53).outline };
+	const Layout layout = make({ ring });
+	check_layout(layout);
+	CHECK(layout.lots.size() >= 10);
+	double lots = 0.0, yard = 0.0;
+	for (const Lot &lot : layout.lots) {
+		lots += area(lot.polygon);
+	}
+	for (const Ground &ground : layout.ground) {
+		yard += ground.street == no_street && ground.kind == GroundKind::Pavement ? area(ground.polygon) : 0.0;
+	}
+	CHECK(yard == doctest::Approx(20.0 * 20.0 + 3.0 * 30.0)); // as wide as the pavement, from the yard to where that begins
+	CHECK(lots + yard == doctest::Approx(100.0 * 80.0));
+}
+
+TEST_CASE("a block in the yard of another has its own pavement, and the yard is around it") {
+	Footprint ring = box(0, 0, 200, 200), school = box(70, 70, 130, 130, "block 1");
+	ring.holes = { box(60, 60, 140, 140).outline };
+	school.type = "school";
+	const Layout layout = make({ ring, school });
+	check_layout(layout);
+	for (const LotId lot : layout.blocks[1].lots) {
+		CHECK(layout.lot(lot).type == "school");
+		CHECK(layout.lot(lot).street_widths[0] == doctest::Approx(10.0)); // as far as the yard's side
+	}
+	CHECK(layout.blocks[1].lots.size() >= 4);
+}
+
+TEST_CASE("five hundred blocks with random yards: lots and ground cover each once, and every lot has a front") {
+	size_t lots = 0, yards = 0;
+	for (uint64_t seed = 0; seed < 500; ++seed) {
+		CAPTURE(seed);
+		Random random(seed);
+		std::vector<Footprint> blocks{ block(random_outline({ 0, 0 }, random)) };
+		for (size_t i = 0; i < 1 + random.index(2); ++i) {
+			Loop2 hole = random_outline({ 0, 0 }, random);
+			const double size = random.uniform(0.1, 0.6);
+			const glm::dvec2 middle{ random.uniform(-25.0, 25.0), random.uniform(-25.0, 25.0) };
+			for (glm::dvec2 &corner : hole) {
+				corner = middle + corner * size;
+			}
+			blocks[0].holes.push_back(std::move(hole));
+		}
+		LayoutParameters p = parameters();
+		p.lot_front = float(random.uniform(6.0, 20.0));
+		p.pavement_width = float(random.uniform(0.5, 4.0));
+		p.seed = seed;
+		Diagnostics diagnostics;
+		const std::optional<Layout> layout = layout_of_blocks(blocks, p, diagnostics);
+		if (!layout) {
+			const std::string message = diagnostics.list()[0].message;
+			CHECK((message.find("a hole in it") != std::string::npos || message.find("no block has room") != std::string::npos));
+			continue;
+		}
+		check_layout(*layout);
+		for (const Loop2 &hole : blocks[0].holes) {
+			for (const Lot &lot : layout->lots) {
+				CHECK(shared_area({ hole }, { plan_of(lot.polygon) }) < 0.05 * double(p.lot_front) * double(p.lot_front)); // yards get fewer corners, too
+			}
+		}
+		lots += layout->lots.size();
+		yards += blocks[0].holes.size();
+	}
+	CHECK(lots > 1000);
+	CHECK(yards > 100);
 }
 
 TEST_CASE("blocks without room are told by name, and what makes no city is refused") {

@@ -114,3 +114,64 @@ TEST_CASE("footprints that overlap are warned of by name, and what cannot be bui
 	const std::vector<Footprint> ring = { box(10, 10, 20, 20, "feature 7"), box(0, 0, 30, 10), box(0, 20, 30, 30), box(0, 10, 10, 20), box(20, 10, 30, 20) };
 	CHECK(refused(ring).find("feature 7: it is walled in") != std::string::npos);
 }
+
+TEST_CASE("a hole is a courtyard of its lot, and what stands in it is a lot within") {
+	Footprint ring = box(0, 0, 40, 40, "the ring");
+	ring.holes = { box(10, 10, 30, 30).outline };
+	const Layout layout = make({ ring, box(14, 14, 20, 20), box(22, 14, 28, 20), box(60, 0, 70, 10) });
+	REQUIRE(layout.lots.size() == 4);
+	REQUIRE(layout.lots[0].holes.size() == 1);
+	CHECK(area(layout.lots[0].holes[0]) == doctest::Approx(400.0)); // counter-clockwise
+	CHECK(layout.lots[0].around == LotId::Invalid);
+	CHECK(layout.lots[1].around == LotId(0));
+	CHECK(layout.lots[2].around == LotId(0));
+	CHECK(layout.lots[3].around == LotId::Invalid);
+	CHECK(lots_within(layout, LotId(0)) == std::vector<std::vector<glm::vec3>>{ layout.lots[1].polygon, layout.lots[2].polygon });
+	CHECK(lots_within(layout, LotId(3)).empty());
+	CHECK(layout.lots[1].street_widths == std::vector<float>(4, 8.0f)); // the courtyard is open ground
+	double open = 0.0; // none in the courtyard: that belongs to the ring
+	for (const Ground &ground : layout.ground) {
+		open += area(ground.polygon);
+	}
+	CHECK(open + 1600.0 + 100.0 == doctest::Approx(area(layout.outline)).epsilon(1e-5));
+}
+
+TEST_CASE("of rings within rings each lot knows the nearest around it") {
+	Footprint outer = box(0, 0, 80, 80), inner = box(20, 20, 60, 60);
+	outer.holes = { box(10, 10, 70, 70).outline };
+	inner.holes = { box(30, 30, 50, 50).outline };
+	const Layout layout = make({ box(35, 35, 45, 45), inner, outer });
+	CHECK(layout.lots[0].around == LotId(1));
+	CHECK(layout.lots[1].around == LotId(2));
+}
+
+TEST_CASE("holes that cannot be are refused by the name of their footprint, and overlaps count without courtyards") {
+	const auto with_holes = [](const std::vector<Loop2> &holes) {
+		Footprint ring = box(0, 0, 40, 40, "the ring");
+		ring.holes = holes;
+		return ring;
+	};
+	const Loop2 good = box(10, 10, 20, 20).outline;
+	for (const Loop2 &bad : { box(30, 10, 50, 20).outline, box(50, 10, 60, 20).outline, box(15, 15, 25, 25).outline, box(0, 10, 5, 20).outline, box(12, 12, 14, 14).outline }) {
+		CHECK(refused({ with_holes({ good, bad }) }) == "the ring: a hole in it meets its outline or another hole, or lies outside");
+	}
+	CHECK(refused({ with_holes({ { { 10, 10 }, { 30, 10 }, { 30, 30 }, { 20, 5 } } }) }) == "the ring: a hole in it crosses itself");
+	CHECK(refused({ with_holes({ box(10, 10, 10.5, 10.5).outline }) }) == "the ring: a hole in it has less than 1 square metre");
+	const Layout layout = make({ with_holes({ good }), box(15, 12, 25, 18, "over the edge") }, 1);
+	REQUIRE(layout.overlaps.size() == 1);
+	CHECK(layout.overlaps[0].area == doctest::Approx(30.0));
+}
+
+TEST_CASE("a courtyard between several footprints is no street: fronts look out, but for what stands in it") {
+	const auto around = [](double gap) {
+		return std::vector<Footprint>{ box(0, 10 + gap, 10, 30), box(0, 0, 50, 10), box(40, 10, 50, 30), box(0, 30, 50, 40), box(20, 15, 30, 25) };
+	};
+	const Layout closed = make(around(0));
+	CHECK(closed.lots[0].polygon[0].x == 0.0f); // the western side, though that to the courtyard is as long
+	CHECK(closed.lots[0].polygon[1].x == 0.0f);
+	CHECK(std::ranges::count(closed.lots[0].street_widths, 8.0f) == 1);
+	CHECK(std::ranges::count(closed.lots[1].street_widths, 8.0f) == 3);
+	CHECK(closed.lots[4].street_widths == std::vector<float>(4, 8.0f));
+	CHECK(std::ranges::count(make(around(1)).lots[0].street_widths, 8.0f) == 3); // and the side in the gap
+	CHECK(std::ranges::count(make(around(0.4)).lots[0].street_widths, 8.0f) == 1); // too narrow: nobody gets through
+}

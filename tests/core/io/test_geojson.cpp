@@ -65,7 +65,7 @@ TEST_CASE("heights are metres, texts or levels, and a use is a type") {
 	CHECK(of(R"({"building": "yes", "use": "shop"})").type == "shop");
 }
 
-TEST_CASE("each part of a MultiPolygon is a footprint, clockwise ones are turned, holes and lines are left out with a warning") {
+TEST_CASE("each part of a MultiPolygon is a footprint, clockwise ones are turned and have their holes, lines are left out with a warning") {
 	Diagnostics diagnostics;
 	const auto footprints = parse_geojson(collection(
 			feature("{\"type\": \"MultiPolygon\", \"coordinates\": [[[[0, 0], [0, 900], [900, 900], [0, 0]]], [[[1e3, 0], [2e3, 0], [2e3, 1e3], [1e3, 0]],"
@@ -74,8 +74,26 @@ TEST_CASE("each part of a MultiPolygon is a footprint, clockwise ones are turned
 	REQUIRE(footprints.has_value());
 	REQUIRE(footprints->size() == 2);
 	CHECK((*footprints)[0].outline == Loop2{ { -100, 400 }, { -1000, 400 }, { -1000, -500 } });
-	REQUIRE(diagnostics.warning_count() == 2);
-	CHECK(diagnostics.list()[1].message.ends_with("1 holes of polygons are left out, so their ground belongs to the lot or block around: feature 0"));
+	CHECK((*footprints)[0].holes.empty());
+	REQUIRE((*footprints)[1].holes.size() == 1);
+	CHECK((*footprints)[1].holes[0] == Loop2{ { 600, -480 }, { 500, -480 }, { 500, -490 } }); // turned
+	REQUIRE(diagnostics.warning_count() == 1);
+	CHECK(diagnostics.list()[0].message.find("1 features are neither") != std::string::npos);
+}
+
+TEST_CASE("holes in degrees become metres around the same middle, and rings of holes are checked as others are") {
+	Diagnostics diagnostics;
+	const auto footprints = parse_geojson(collection(feature(
+			"{\"type\": \"Polygon\", \"coordinates\": [[[-0.001, -0.001], [0.001, -0.001], [0.001, 0.001], [-0.001, 0.001], [-0.001, -0.001]],"
+			" [[0, 0], [0, 0.0005], [0.0005, 0.0005], [0, 0]]]}")), "map.geojson", diagnostics);
+	REQUIRE(footprints.has_value());
+	REQUIRE((*footprints)[0].holes.size() == 1);
+	const Loop2 &hole = (*footprints)[0].holes[0];
+	CHECK(hole[0].x == doctest::Approx(55.66).epsilon(1e-3)); // half of a thousandth of a degree at the equator
+	CHECK(hole[0].y == doctest::Approx(55.29).epsilon(1e-3));
+	CHECK(diagnostics.is_empty());
+	const Diagnostic open = refused(collection(feature("{\"type\": \"Polygon\", \"coordinates\": [[[0, 0], [900, 0], [900, 900], [0, 0]], [[10, 10], [20, 20]]]}")));
+	CHECK(open.message.find("features[0].geometry.coordinates[1]") != std::string::npos);
 }
 
 TEST_CASE("malformed files are refused with the place and the number of the feature") {

@@ -75,9 +75,9 @@ bool has_entrance(const DerivationResult &model, const std::string &type) {
 
 using FreeGround = std::vector<std::vector<glm::vec3>>;
 
-FreeGround ground_of(const DerivationResult &model, const ShippedRules &rules) {
+FreeGround ground_of(const DerivationResult &model, double width, double depth) {
 	Lot lot;
-	const InitialShape shape = InitialShape::rectangle(rules.width, rules.depth);
+	const InitialShape shape = InitialShape::rectangle(width, depth);
 	for (const glm::dvec3 &corner : shape.faces[0].outline) {
 		lot.polygon.push_back(glm::vec3(corner));
 	}
@@ -105,7 +105,7 @@ void check_doors(const DerivationResult &model, const ShippedRules &rules) {
 	for (const std::string &type : rules.entrances) {
 		CHECK_MESSAGE(has_entrance(model, type), type);
 	}
-	const FreeGround ground = ground_of(model, rules);
+	const FreeGround ground = ground_of(model, rules.width, rules.depth);
 	for (const ModelEntrance &door : model.entrances) {
 		INFO(door.type << " at " << door.position.x << " " << door.position.z);
 		CHECK(std::abs(door.position.y) < 1e-3f);
@@ -113,6 +113,24 @@ void check_doors(const DerivationResult &model, const ShippedRules &rules) {
 		CHECK(door.capacity > 0);
 		CHECK(is_reachable(ground, door));
 	}
+}
+
+// By something higher than half a metre; x and z of a point.
+bool is_built_over(const Mesh &mesh, glm::vec2 point) {
+	return std::ranges::any_of(mesh.faces, [&](const MeshFace &face) {
+		bool is_inside = false;
+		float top = 0.0f;
+		for (uint32_t i = 0; i < face.loop_count; ++i) {
+			const auto loop = mesh.loop(face.first_loop + i);
+			for (size_t k = 0; k < loop.size(); ++k) {
+				const glm::vec3 a = loop[k], b = loop[(k + 1) % loop.size()];
+				top = std::max(top, a.y);
+				const bool is_between = (a.z > point.y) != (b.z > point.y);
+				is_inside ^= is_between && point.x < a.x + (b.x - a.x) * (point.y - a.z) / (b.z - a.z);
+			}
+		}
+		return is_inside && top > 0.5f;
+	});
 }
 
 bool is_finite(const Mesh &mesh) {
@@ -181,7 +199,7 @@ TEST_CASE("shipped rules: nobody walks in a fountain, and all who look at it sta
 		const auto program = load(rules.name);
 		for (int lod = 0; lod < 3; ++lod) {
 			const DerivationResult model = derive_at(*program, InitialShape::rectangle(rules.width, rules.depth), lod);
-			const FreeGround ground = ground_of(model, rules);
+			const FreeGround ground = ground_of(model, rules.width, rules.depth);
 			for (const ModelObject &object : model.objects) {
 				if (object.tag != "fountain") {
 					continue;
@@ -254,6 +272,31 @@ TEST_CASE("shipped rules: a lot that is turned and moved has the same model, tur
 		for (size_t i = 0; i < a.objects.size(); ++i) {
 			CHECK(glm::distance(moved(a.objects[i].frame[3]), glm::dvec3(b.objects[i].frame[3])) < 5e-3);
 			CHECK(a.objects[i].mesh.faces.size() == b.objects[i].mesh.faces.size());
+		}
+	}
+}
+
+TEST_CASE("shipped rules: rings have their doors and no message, and houses leave the courtyard open") {
+	const std::vector<std::string> built_around = { "house", "apartment", "workshop", "shop" };
+	for (const ShippedRules &rules : all_shipped()) {
+		const auto program = load(rules.name);
+		InitialShape ring = InitialShape::rectangle(40, 40, 5);
+		ring.faces[0].holes = { { { 12, 0, -12 }, { 28, 0, -12 }, { 28, 0, -28 }, { 12, 0, -28 } } };
+		ring.street_widths = { 8, 0, 0, 0 };
+		for (int lod = 0; lod < 3; ++lod) {
+			const DerivationResult model = derive_at(*program, ring, lod);
+			INFO(rules.name << " lod " << lod << "\n" << to_text(model.diagnostics));
+			CHECK(model.diagnostics.is_empty());
+			CHECK(is_finite(model.mesh));
+			CHECK(model.face_count > 0);
+			for (const std::string &type : rules.entrances) {
+				CHECK_MESSAGE(has_entrance(model, type), type);
+			}
+			const FreeGround ground = ground_of(model, 40, 40);
+			CHECK((model.entrances.empty() || is_reachable(ground, model.entrances[0]))); // others may look into the courtyard
+			for (int i = 0; i < 49 && std::ranges::count(built_around, rules.name) > 0; ++i) {
+				CHECK_FALSE(is_built_over(model.mesh, { 13.1f + 2.3f * float(i % 7), -13.1f - 2.3f * float(i / 7) }));
+			}
 		}
 	}
 }

@@ -1,6 +1,6 @@
 @tool
 extends "res://addons/pcg/editor/gizmos/gizmo_plugin.gd"
-## A lot's outline in the colour of its type.
+## A lot's outline in the colour of its type, and those of its courtyards.
 
 
 func _get_gizmo_name() -> String:
@@ -15,7 +15,8 @@ func _redraw(gizmo: EditorNode3DGizmo) -> void:
 	gizmo.clear()
 	var lot: PCGLot = gizmo.get_node_3d() as PCGLot
 	var lines := PackedVector3Array()
-	for index: int in lot.polygon.size():
-		lines.append_array([lot.polygon[index], lot.polygon[(index + 1) % lot.polygon.size()]])
+	for loop: PackedVector3Array in [lot.polygon] + Array(lot.holes):
+		for index: int in loop.size():
+			lines.append_array([loop[index], loop[(index + 1) % loop.size()]])
 	if not lines.is_empty():
 		gizmo.add_lines(lines, lines_material(color_of(lot.type)))
