@@ -94,7 +94,7 @@ func _take_pictures() -> void:
 	if _options.has("person"):
 		person_panel.show_person(str(_options["person"]).to_int())
 	if _options.has("heat"):
-		heat.choose(_options["heat"])
+		panel.choose_heat(_options["heat"])
 	var hours: PackedFloat64Array = str(_options.get("hour", citizens.time / SECONDS_PER_HOUR)).split_floats(",")
 	var path: String = _options["screenshot"]
 	var error: Error = OK

@@ -35,7 +35,34 @@ func _take_rules() -> void:
 	_mend_rule(edit)
 	await _wait(6)
 	_save("rules_good")
+	await _take_rules_questions(edit)
 	authoring.plugin.hide_bottom_panel()
+
+
+# What is looked for in a rule file, and what is asked when it is closed or was written by another program.
+func _take_rules_questions(edit: CodeEdit) -> void:
+	EditorInterface.get_file_system_dock().navigate_to_path("res://rules/cga/house.cga")
+	var bar: Node = authoring.rules.get_node("%FindBar")
+	bar.call("open", true)
+	(bar.get_node("%Query") as LineEdit).text = "split"
+	bar.call("find")
+	await _wait(6)
+	_save("rules_find")
+	bar.call("close")
+	edit.insert_line_at(0, "// changed")
+	authoring.rules.close_current()
+	await _wait(4)
+	_save("rules_close")
+	(authoring.rules.get_node("%CloseQuestion") as Window).hide()
+	edit.set("read_time", 1)
+	authoring.rules.reread_changed()
+	await _wait(4)
+	_save("rules_newer")
+	var question: ConfirmationDialog = authoring.rules.get_node("%NewerQuestion")
+	question.hide()
+	question.canceled.emit()
+	edit.undo()
+	edit.tag_saved_version()
 
 
 func _break_rule(edit: CodeEdit) -> void:
