@@ -9,6 +9,7 @@ extends Node
 const Authoring := preload("res://addons/pcg/editor/authoring.gd")
 
 const PICTURED_PERSONS := 60
+const AFTER_SCHOOL := 17.0 ## o'clock
 const PICTURED_LOTS := 20 ## few, because pictures are drawn without a graphics card
 
 var authoring: Authoring
@@ -125,7 +126,7 @@ func _take_people() -> void:
 	dock.show_page(3)
 	authoring.context.choose_person(_find_child())
 	(authoring.dock.person_tab.get_node("%Ways") as CheckBox).button_pressed = true
-	await _wait(4)
+	await _live_until(AFTER_SCHOOL)
 	_save("person")
 	var dialog: Window = authoring.dock.person_tab.get_node("%EntryDialog")
 	dialog.call("ask", authoring.context, {})
@@ -144,6 +145,14 @@ func _take_problems() -> void:
 	await _wait(5)
 	_save("problems")
 	_mend_rule(authoring.rules.get_current())
+
+
+# So that there is something lived below what is planned.
+func _live_until(hour: float) -> void:
+	while authoring.context.citizens.time < hour * 3600.0:
+		authoring.context.citizens.advance(120.0)
+		await _wait(1)
+	await _wait(4)
 
 
 # Where somebody outdoors has most others around.

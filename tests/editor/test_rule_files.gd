@@ -161,3 +161,19 @@ func test_whoever_imports_a_file_follows_it_too() -> void:
 	await _generated(city)
 	var meshes: Array = city.find_children("*", "MeshInstance3D", true, false)
 	check(meshes.any(func(mesh: MeshInstance3D) -> bool: return mesh.get_aabb().size.y > 39.0), "and it is as high as the part says now")
+
+
+func test_a_scene_opens_whatever_its_rules_are() -> void:
+	var city: PCGCity = await _add_small_city()
+	write("res://typed/sound.cga", GOOD)
+	city.lot_types[0].rules = load("res://typed/sound.cga")
+	EditorInterface.save_scene_as("res://typed/broken_rules.tscn", false)
+	EditorInterface.close_scene()
+	await frames(3)
+	write("res://typed/sound.cga", "Lot --> extrude(3\n")
+	EditorInterface.get_resource_filesystem().resources_reload.emit(PackedStringArray(["res://typed/sound.cga"]))
+	EditorInterface.open_scene_from_path("res://typed/broken_rules.tscn")
+	await frames(5)
+	var opened: PCGCity = get_authoring().context.city
+	check(opened != null and opened.lot_types.size() == 4, "the scene is whole")
+	check(opened != null and opened.lot_types[0].rules.get_diagnostics().size() > 0, "its rules tell what is wrong with them")

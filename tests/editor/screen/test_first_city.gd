@@ -125,6 +125,41 @@ func _find_questions(words: String) -> Array[Node]:
 		return dialog.visible and dialog.dialog_text.contains(words))
 
 
+func test_names_are_offered_to_who_types() -> void:
+	get_authoring().rules.open(write(RULE, GOOD))
+	await _show(get_authoring().rules)
+	var edit: CodeEdit = get_authoring().rules.get_current()
+	edit.call("go_to", 3, 11) # behind the parenthesis
+	await type(" ext")
+	check(await wait_until(func() -> bool: return not edit.get_code_completion_options().is_empty(), 3.0), "names that begin so")
+	await press(KEY_ESCAPE)
+	edit.undo()
+	await get_tree().create_timer(0.5).timeout
+	check(edit.get_code_completion_options().is_empty(), "nothing is offered to who takes something back")
+	edit.tag_saved_version()
+	get_authoring().rules.close_current()
+
+
+func test_rule_files_have_their_icon() -> void:
+	write(RULE, GOOD)
+	EditorInterface.get_resource_filesystem().scan()
+	check(await wait_until(func() -> bool: return EditorInterface.get_resource_filesystem().get_file_type(RULE) == "PCGRuleSet"), "rules are known")
+	check(await wait_until(func() -> bool:
+		EditorInterface.get_file_system_dock().navigate_to_path(RULE)
+		var icon: Texture2D = _find_icon("lot.cga")
+		return icon != null and icon.resource_path.ends_with("PCGRuleSet.svg")), "and seen by their icon: %s" % _find_icon("lot.cga"))
+
+
+func _find_icon(file: String) -> Texture2D:
+	for tree: Tree in EditorInterface.get_file_system_dock().find_children("*", "Tree", true, false):
+		var item: TreeItem = tree.get_root()
+		while item:
+			if item.get_text(0) == file:
+				return item.get_icon(0)
+			item = item.get_next_in_tree()
+	return null
+
+
 func test_keys_of_the_script_editor_work_in_rules() -> void:
 	get_authoring().rules.open(write(RULE, GOOD))
 	await _show(get_authoring().rules)

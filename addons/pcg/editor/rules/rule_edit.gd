@@ -138,6 +138,7 @@ func set_zoom(shown: float) -> void:
 
 
 func _gui_input(event: InputEvent) -> void:
+	_note_key(event as InputEventKey)
 	var command: String = TextKeys.find_command(event, COMMANDS)
 	var wanted: float = TextKeys.find_zoom(event, zoom)
 	if not command.is_empty():
@@ -203,7 +204,14 @@ static func _worst(messages: Array) -> String:
 
 func _on_text_changed() -> void:
 	_check_timer.start()
-	_completion_timer.start()
+
+
+# Names are offered to who types words, not where lines are moved, changes undone or words replaced.
+func _note_key(key: InputEventKey) -> void:
+	if key and key.pressed and key.unicode > 0 and not key.is_command_or_control_pressed():
+		_completion_timer.start()
+	elif key and key.pressed:
+		_completion_timer.stop()
 
 
 func _offer_unasked() -> void:
