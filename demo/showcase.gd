@@ -30,6 +30,7 @@ var _options := {}
 
 func _ready() -> void:
 	_read_options(OS.get_cmdline_user_args())
+	RenderingServer.render_loop_enabled = not _options.has("screenshot") # until there is what shall be pictured
 	get_window().content_scale_factor = _ui_scale()
 	panel.citizens = citizens
 	panel.heat_chosen.connect(heat.choose)
