@@ -23,6 +23,7 @@ var citizens: CitizenManager
 @onready var _jumps: HBoxContainer = %Jumps
 @onready var _time: HSlider = %Time
 @onready var _heat: OptionButton = %Heat
+@onready var _heat_choices: PackedStringArray = PackedStringArray(["off", "all"]) + CitizenManager.get_age_groups()
 
 
 func _ready() -> void:
@@ -41,8 +42,7 @@ func _ready() -> void:
 	_heat.visible = shows_heat
 	if not hint.is_empty():
 		(%Hint as Label).text += "\n" + hint
-	var choices: PackedStringArray = PackedStringArray(["off", "all"]) + CitizenManager.get_age_groups()
-	_heat.item_selected.connect(func(index: int) -> void: heat_chosen.emit(choices[index]))
+	_heat.item_selected.connect(func(index: int) -> void: heat_chosen.emit(_heat_choices[index]))
 	_time.drag_ended.connect(func(is_changed: bool) -> void:
 		if is_changed:
 			jump_to_hour(_time.value))
@@ -80,6 +80,15 @@ func set_speed(speed: float) -> void:
 	citizens.paused = speed == 0.0
 	if speed > 0.0:
 		citizens.time_scale = speed
+
+
+## "off", "all" or one of CitizenManager.get_age_groups(), as if somebody had chosen it.
+func choose_heat(choice: String) -> void:
+	if _heat_choices.has(choice):
+		_heat.select(_heat_choices.find(choice))
+		heat_chosen.emit(choice)
+	else:
+		push_error("There is no heat map of '%s'; there are those of %s." % [choice, ", ".join(_heat_choices)])
 
 
 func jump_to_hour(hour: float) -> void:

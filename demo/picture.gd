@@ -7,6 +7,7 @@ const QUALITY := 0.88 ## of pictures in JPEG
 
 ## Saves what `scene`'s viewport shows as PNG or, by the path's ending, JPEG.
 static func take(scene: Node, path: String) -> Error:
+	RenderingServer.render_loop_enabled = true
 	for frame: int in FRAMES_BEFORE:
 		await scene.get_tree().process_frame
 	await RenderingServer.frame_post_draw

@@ -30,6 +30,7 @@ var _options := {}
 
 func _ready() -> void:
 	_read_options(OS.get_cmdline_user_args())
+	RenderingServer.render_loop_enabled = not _options.has("screenshot") # until there is what shall be pictured
 	get_window().content_scale_factor = _ui_scale()
 	panel.citizens = citizens
 	panel.heat_chosen.connect(heat.choose)
@@ -94,7 +95,7 @@ func _take_pictures() -> void:
 	if _options.has("person"):
 		person_panel.show_person(str(_options["person"]).to_int())
 	if _options.has("heat"):
-		heat.choose(_options["heat"])
+		panel.choose_heat(_options["heat"])
 	var hours: PackedFloat64Array = str(_options.get("hour", citizens.time / SECONDS_PER_HOUR)).split_floats(",")
 	var path: String = _options["screenshot"]
 	var error: Error = OK

@@ -66,6 +66,12 @@ func _save_external_data() -> void:
 		_authoring.call("save")
 
 
+# Closing the editor asks about what was not saved; switching the addon off does not.
+func _disable_plugin() -> void:
+	if _authoring:
+		_authoring.call("keep_unsaved")
+
+
 func _get_window_layout(layout: ConfigFile) -> void:
 	if _authoring:
 		_authoring.call("keep_layout", layout)

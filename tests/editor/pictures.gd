@@ -9,6 +9,7 @@ extends Node
 const Authoring := preload("res://addons/pcg/editor/authoring.gd")
 
 const PICTURED_PERSONS := 60
+const AFTER_SCHOOL := 17.0 ## o'clock
 const PICTURED_LOTS := 20 ## few, because pictures are drawn without a graphics card
 
 var authoring: Authoring
@@ -35,7 +36,34 @@ func _take_rules() -> void:
 	_mend_rule(edit)
 	await _wait(6)
 	_save("rules_good")
+	await _take_rules_questions(edit)
 	authoring.plugin.hide_bottom_panel()
+
+
+# What is looked for in a rule file, and what is asked when it is closed or was written by another program.
+func _take_rules_questions(edit: CodeEdit) -> void:
+	EditorInterface.get_file_system_dock().navigate_to_path("res://rules/cga/house.cga")
+	var bar: Node = authoring.rules.get_node("%FindBar")
+	bar.call("open", true)
+	(bar.get_node("%Query") as LineEdit).text = "split"
+	bar.call("find")
+	await _wait(6)
+	_save("rules_find")
+	bar.call("close")
+	edit.insert_line_at(0, "// changed")
+	authoring.rules.close_current()
+	await _wait(4)
+	_save("rules_close")
+	(authoring.rules.get_node("%CloseQuestion") as Window).hide()
+	edit.set("read_time", 1)
+	authoring.rules.reread_changed()
+	await _wait(4)
+	_save("rules_newer")
+	var question: ConfirmationDialog = authoring.rules.get_node("%NewerQuestion")
+	question.hide()
+	question.canceled.emit()
+	edit.undo()
+	edit.tag_saved_version()
 
 
 func _break_rule(edit: CodeEdit) -> void:
@@ -98,7 +126,7 @@ func _take_people() -> void:
 	dock.show_page(3)
 	authoring.context.choose_person(_find_child())
 	(authoring.dock.person_tab.get_node("%Ways") as CheckBox).button_pressed = true
-	await _wait(4)
+	await _live_until(AFTER_SCHOOL)
 	_save("person")
 	var dialog: Window = authoring.dock.person_tab.get_node("%EntryDialog")
 	dialog.call("ask", authoring.context, {})
@@ -117,6 +145,14 @@ func _take_problems() -> void:
 	await _wait(5)
 	_save("problems")
 	_mend_rule(authoring.rules.get_current())
+
+
+# So that there is something lived below what is planned.
+func _live_until(hour: float) -> void:
+	while authoring.context.citizens.time < hour * 3600.0:
+		authoring.context.citizens.advance(120.0)
+		await _wait(1)
+	await _wait(4)
 
 
 # Where somebody outdoors has most others around.

@@ -1,6 +1,9 @@
 @tool
 extends "res://tests/editor/editor_suite.gd"
-## Handles in the viewport: dragged, undone.
+## What the addon's nodes look like in the editor: their icons, and handles in the viewport: dragged, undone.
+
+const ICONS := "res://addons/pcg/icons"
+const THEMED: PackedStringArray = ["#e0e0e0", "#fc7f7f"] ## colours of the engine's icons, which it makes dark for a light theme
 
 var _root: Node3D
 var _camera: Camera3D
@@ -86,3 +89,15 @@ func test_every_class_has_an_icon() -> void:
 		if (name.begins_with("PCG") or name == "CitizenManager") and ClassDB.can_instantiate(name) and not name.ends_with("Loader") \
 				and not name.ends_with("Saver") and not name.ends_with("Probe"):
 			check(FileAccess.file_exists("res://addons/pcg/icons/%s.svg" % name), "%s has an icon" % name)
+
+
+func test_icons_are_seen_on_light_and_on_dark_ground() -> void:
+	var colors := RegEx.create_from_string("#[0-9a-f]{6}")
+	for file: String in DirAccess.get_files_at(ICONS):
+		if file.get_extension() == "svg":
+			for color: RegExMatch in colors.search_all(FileAccess.get_file_as_string(ICONS.path_join(file))):
+				check(color.get_string() in THEMED, "%s: %s changes with the editor's theme" % [file, color.get_string()])
+		if file.get_extension() == "import":
+			var settings := ConfigFile.new()
+			settings.load(ICONS.path_join(file))
+			check(settings.get_value("params", "editor/convert_colors_with_editor_theme"), "%s is imported so" % file)

@@ -195,6 +195,8 @@ func test_a_survey_counts_who_is_outdoors_and_puts_the_clock_back() -> void:
 	(_dock.simulation_tab.get_node("%Heat") as CheckBox).button_pressed = true
 	check(_dock.simulation_tab.overlay.is_shown(), "the heat map lies on the ground")
 	check(not _citizens.record_lives, "and nothing is recorded any more")
+	check_equal(_dock.simulation_tab.survey.trips, _citizens.get_statistics()["trips"], "its ways are known, so that the page does not count them")
+	check(_dock.simulation_tab.survey.trips > 0, "there are some")
 	var day: PackedByteArray = _citizens.get_heat_image().get_data()
 	_citizens.advance(4.0 * 3600.0)
 	check_equal(_citizens.get_heat_image().get_data(), day, "what is lived after the survey does not change its picture")

@@ -65,6 +65,19 @@ func test_columns_count_characters() -> void:
 	check_equal(edit.get_caret_column(), 28, "the caret stands before the name")
 
 
+func test_words_have_the_colours_of_what_they_are() -> void:
+	var edit: RuleEdit = await _open("@StartRule\nLot --> extrude(floor(scope.sx)) Mass\nMass --> case width > 3 : X. else : NIL // end\nattr width = 3\n")
+	var colors: Dictionary[String, String] = {"@StartRule 0 1": "gdscript/annotation_color", "extrude 1 8": "engine_type_color", "floor 1 16": "function_color",
+			"scope 1 22": "base_type_color", "Mass 1 33": "user_type_color", "case 2 9": "control_flow_keyword_color", "3 2 22": "number_color",
+			"// 2 43": "comment_color", "attr 3 0": "keyword_color"}
+	for word: String in colors:
+		var line: Dictionary = edit.syntax_highlighter.get_line_syntax_highlighting(word.get_slice(" ", 1).to_int())
+		var column: int = word.get_slice(" ", 2).to_int()
+		var starts: Array = line.keys().filter(func(start: int) -> bool: return start <= column)
+		var color: Color = line[starts.max()]["color"]
+		check_equal(color, EditorInterface.get_editor_settings().get_setting("text_editor/theme/highlighting/" + colors[word]), "the colour of %s" % word)
+
+
 func test_names_are_offered_and_explained() -> void:
 	var edit: RuleEdit = await _open(GOOD)
 	var names: Array = edit.words.find_completions("ext", edit.text).map(func(entry: Dictionary) -> String: return entry["name"])

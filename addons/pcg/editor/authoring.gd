@@ -5,6 +5,7 @@ extends Node
 const RulesDock := preload("res://addons/pcg/editor/rules/rules_dock.gd")
 const PCGDock := preload("res://addons/pcg/editor/pcg_dock.gd")
 const SceneContext := preload("res://addons/pcg/editor/scene_context.gd")
+const LoadedRules := preload("res://addons/pcg/editor/rules/loaded_rules.gd")
 const ViewportClicks := preload("res://addons/pcg/editor/viewport_clicks.gd")
 const DOCK_SCENE := preload("res://addons/pcg/editor/pcg_dock.tscn")
 const RULES_SCENE := preload("res://addons/pcg/editor/rules/rules_dock.tscn")
@@ -33,6 +34,9 @@ func open(of: EditorPlugin) -> void:
 	dock = DOCK_SCENE.instantiate()
 	rules.count_users = func(path: String) -> int: return context.get_users(path).size()
 	EditorInterface.get_resource_filesystem().filesystem_changed.connect(_take_icons)
+	EditorInterface.get_resource_filesystem().resources_reload.connect(_on_files_written)
+	EditorInterface.get_file_system_dock().files_moved.connect(_on_file_moved)
+	EditorInterface.get_file_system_dock().file_removed.connect(rules.follow_removal)
 	_add_dock(dock, "PCG", "pcg", "PCGCity", EditorDock.DOCK_SLOT_RIGHT_UL, EditorDock.DOCK_LAYOUT_VERTICAL | EditorDock.DOCK_LAYOUT_FLOATING)
 	_add_dock(rules, "PCG Rules", "pcg_rules", "PCGRuleSet", EditorDock.DOCK_SLOT_BOTTOM, EditorDock.DOCK_LAYOUT_HORIZONTAL | EditorDock.DOCK_LAYOUT_FLOATING)
 	dock.open(context)
@@ -43,6 +47,7 @@ func open(of: EditorPlugin) -> void:
 	rules.rules_closed.connect(dock.forget_rule_diagnostics)
 	rules.rules_saved.connect(_on_rules_saved)
 	rules.regeneration_wanted.connect(_on_regeneration_wanted)
+	rules.take_back_unsaved()
 
 
 func _add_dock(content: Control, title: String, key: String, icon: String, slot: EditorDock.DockSlot, layouts: int) -> void:
@@ -68,6 +73,9 @@ func _take_icons() -> void:
 
 func close() -> void:
 	EditorInterface.get_resource_filesystem().filesystem_changed.disconnect(_take_icons)
+	EditorInterface.get_resource_filesystem().resources_reload.disconnect(_on_files_written)
+	EditorInterface.get_file_system_dock().files_moved.disconnect(_on_file_moved)
+	EditorInterface.get_file_system_dock().file_removed.disconnect(rules.follow_removal)
 	for gizmo: EditorNode3DGizmoPlugin in gizmos:
 		plugin.remove_node_3d_gizmo_plugin(gizmo)
 	gizmos.clear()
@@ -90,6 +98,20 @@ func _on_rules_saved(path: String) -> void:
 	for citizens: CitizenManager in context.get_users(path).filter(func(node: Node) -> bool: return node is CitizenManager):
 		if citizens.is_running() and not citizens.rules.has_errors():
 			citizens.renew_agendas()
+
+
+# Rules that are in memory do not follow their files by themselves.
+func _on_files_written(paths: PackedStringArray) -> void:
+	for path: String in paths:
+		if LoadedRules.is_rule_file(path):
+			LoadedRules.renew(path)
+			_on_rules_saved(path)
+
+
+func _on_file_moved(from: String, to: String) -> void:
+	if LoadedRules.is_rule_file(to):
+		LoadedRules.renew(to)
+		rules.follow_move(from, to)
 
 
 # Whoever uses the rules is made anew at once: cities, else those who live by them.
@@ -119,6 +141,11 @@ func get_unsaved_status(for_scene: String) -> String:
 
 func save() -> void:
 	rules.save_all()
+
+
+## Call before the addon is switched off.
+func keep_unsaved() -> void:
+	rules.keep_unsaved()
 
 
 func keep_layout(layout: ConfigFile) -> void:

@@ -2,6 +2,7 @@
 extends Node
 ## What the docks are about: the city and the citizens of the edited scene, and the person that somebody looks at.
 
+const LoadedRules := preload("res://addons/pcg/editor/rules/loaded_rules.gd")
 const CityStarter := preload("res://addons/pcg/editor/city/city_starter.gd")
 
 ## The city, the citizens or the scene are others than before.
@@ -211,6 +212,4 @@ func get_users(path: String) -> Array[Node]:
 
 
 static func _uses(rules: PCGRuleSet, path: String) -> bool:
-	if rules == null:
-		return false
-	return rules.get_file() == path or rules.get_definitions().any(func(entry: Dictionary) -> bool: return entry["file"] == path)
+	return rules != null and LoadedRules.is_made_of(rules, path)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/core/class_db.hpp>
@@ -16,6 +17,7 @@
 #include "core/sim/day_plan.h"
 #include "godot/convert.h"
 #include "godot/liveness.h"
+#include "godot/nodes/configuration_warnings.h"
 #include "godot/nodes/pcg_agent_view.h"
 #include "godot/nodes/pcg_city.h"
 #include "godot/ports/script_builtins.h"
@@ -107,8 +109,7 @@ Transform3D CitizenManager::city_frame() const {
 }
 
 void CitizenManager::set_rules(const Ref<PCGRuleSet> &p_rules) {
-	_rules = p_rules;
-	update_configuration_warnings();
+	warn_by(this, std::exchange(_rules, p_rules), p_rules);
 }
 
 void CitizenManager::set_attributes(const Dictionary &p_attributes) {
@@ -117,13 +118,11 @@ void CitizenManager::set_attributes(const Dictionary &p_attributes) {
 }
 
 void CitizenManager::set_household_table(const Ref<PCGHouseholdTable> &p_table) {
-	_table = p_table;
-	update_configuration_warnings();
+	warn_by(this, std::exchange(_table, p_table), p_table);
 }
 
 void CitizenManager::set_population(const Ref<PCGPopulation> &p_population) {
-	_people = p_population;
-	update_configuration_warnings();
+	warn_by(this, std::exchange(_people, p_population), p_population);
 }
 
 void CitizenManager::set_person_count(int p_count) {

@@ -64,10 +64,9 @@ void CityLink::find_city(Node3D *node) {
 	if (found) {
 		found->note_edit(node);
 	}
-	if (found && node->is_in_group(lost_group)) {
-		node->remove_from_group(lost_group);
-	} else if (!found && !node->is_in_group(lost_group)) {
-		node->add_to_group(lost_group);
+	if (node->is_in_group(lost_group) != (found == nullptr)) {
+		found ? node->remove_from_group(lost_group) : node->add_to_group(lost_group);
+		node->update_configuration_warnings();
 	}
 }
 
@@ -77,8 +76,10 @@ void CityLink::notify(Node3D *node, int what) {
 			node->set_notify_transform(true);
 			find_city(node);
 			break;
-		case Node::NOTIFICATION_EXIT_TREE:
-		case Node3D::NOTIFICATION_TRANSFORM_CHANGED: note_change(node); break;
+		case Node3D::NOTIFICATION_TRANSFORM_CHANGED: // perhaps onto the ground of a city
+			node->is_in_group(lost_group) ? find_city(node) : note_change(node);
+			break;
+		case Node::NOTIFICATION_EXIT_TREE: note_change(node); break;
 		default: break;
 	}
 }

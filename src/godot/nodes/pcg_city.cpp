@@ -1,11 +1,14 @@
 #include "godot/nodes/pcg_city.h"
 
+#include <utility>
+
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/worker_thread_pool.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
 #include "godot/convert.h"
+#include "godot/nodes/configuration_warnings.h"
 #include "godot/report.h"
 
 using namespace godot;
@@ -33,25 +36,22 @@ PCGCity::PCGCity() = default;
 PCGCity::~PCGCity() = default;
 
 void PCGCity::set_layout(const Ref<PCGLayout> &p_layout) {
-	const godot::Callable on_change = callable_mp(static_cast<Node *>(this), &Node::update_configuration_warnings);
-	if (_layout.is_valid()) {
-		_layout->disconnect("changed", on_change);
-	}
-	_layout = p_layout;
-	if (_layout.is_valid()) {
-		_layout->connect("changed", on_change);
-	}
-	update_configuration_warnings();
+	warn_by(this, std::exchange(_layout, p_layout), p_layout);
 }
 
 void PCGCity::set_lot_types(const TypedArray<PCGLotType> &p_types) {
+	for (int64_t i = 0; i < _lot_types.size(); ++i) {
+		warn_by(this, Ref<PCGLotType>(_lot_types[i]), Ref<Resource>());
+	}
 	_lot_types = p_types;
+	for (int64_t i = 0; i < _lot_types.size(); ++i) {
+		warn_by(this, Ref<Resource>(), Ref<PCGLotType>(_lot_types[i]));
+	}
 	update_configuration_warnings();
 }
 
 void PCGCity::set_street_rules(const Ref<PCGRuleSet> &p_rules) {
-	_street_rules = p_rules;
-	update_configuration_warnings();
+	warn_by(this, std::exchange(_street_rules, p_rules), p_rules);
 }
 
 void PCGCity::set_cell_size(double p_metres) {

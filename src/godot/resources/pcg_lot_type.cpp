@@ -3,6 +3,7 @@
 #include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>
+#include <godot_cpp/variant/callable_method_pointer.hpp>
 #include <godot_cpp/variant/packed_byte_array.hpp>
 
 #include "godot/convert.h"
@@ -68,7 +69,14 @@ std::shared_ptr<const WeightMap> PCGLotType::weight_map(Diagnostics &diagnostics
 }
 
 void PCGLotType::set_rules(const Ref<PCGRuleSet> &p_rules) {
+	const godot::Callable on_change = callable_mp(static_cast<Resource *>(this), &Resource::emit_changed);
+	if (_rules.is_valid()) {
+		_rules->disconnect("changed", on_change);
+	}
 	_rules = p_rules;
+	if (_rules.is_valid()) {
+		_rules->connect("changed", on_change);
+	}
 	emit_changed();
 }
 

@@ -75,7 +75,14 @@ void PCGRuleSet::read_file(const String &p_path) {
 	notify_property_list_changed();
 }
 
+// The editor moves files, and tells their resources of it by their path alone.
+String PCGRuleSet::get_file() const {
+	const String path = get_path();
+	return _file.is_empty() || path.is_empty() || path.contains("::") ? _file : path;
+}
+
 void PCGRuleSet::reload() {
+	_file = get_file();
 	if (!_file.is_empty()) {
 		const Result<std::string> bytes = read_engine_file(_file);
 		_source = bytes ? to_godot(std::string_view(*bytes)) : String();

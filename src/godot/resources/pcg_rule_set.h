@@ -43,7 +43,7 @@ public:
 	godot::String get_source() const { return _source; }
 	void set_dialect(Dialect p_dialect);
 	Dialect get_dialect() const { return _dialect; }
-	godot::String get_file() const { return _file; }
+	godot::String get_file() const;
 
 	bool has_errors() const { return _diagnostics.has_errors(); }
 	godot::TypedArray<godot::Dictionary> get_diagnostics() const;

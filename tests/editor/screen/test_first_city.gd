@@ -105,6 +105,87 @@ func test_a_rule_is_broken_by_typing_and_mended_by_undo() -> void:
 	get_authoring().rules.close_current()
 
 
+func test_the_editor_does_not_end_with_rules_that_are_not_saved() -> void:
+	get_authoring().rules.open(write(RULE, GOOD))
+	await _show(get_authoring().rules)
+	get_authoring().rules.get_current().call("go_to", 3, 8)
+	await type("x")
+	await press(KEY_Q, true)
+	check(await wait_until(func() -> bool: return not _find_questions("lot.cga").is_empty(), 5.0), "it names the file and asks")
+	for dialog: AcceptDialog in _find_questions("lot.cga"):
+		dialog.hide()
+	check(get_authoring().rules.get_current().call("is_modified"), "the text is as it was typed")
+	get_authoring().rules.get_current().tag_saved_version()
+	get_authoring().rules.close_current()
+
+
+# Questions that the editor asks now, with these words.
+func _find_questions(words: String) -> Array[Node]:
+	return get_tree().root.find_children("*", "AcceptDialog", true, false).filter(func(dialog: AcceptDialog) -> bool:
+		return dialog.visible and dialog.dialog_text.contains(words))
+
+
+func test_names_are_offered_to_who_types() -> void:
+	get_authoring().rules.open(write(RULE, GOOD))
+	await _show(get_authoring().rules)
+	var edit: CodeEdit = get_authoring().rules.get_current()
+	edit.call("go_to", 3, 11) # behind the parenthesis
+	await type(" ext")
+	check(await wait_until(func() -> bool: return not edit.get_code_completion_options().is_empty(), 3.0), "names that begin so")
+	await press(KEY_ESCAPE)
+	edit.undo()
+	await get_tree().create_timer(0.5).timeout
+	check(edit.get_code_completion_options().is_empty(), "nothing is offered to who takes something back")
+	edit.tag_saved_version()
+	get_authoring().rules.close_current()
+
+
+func test_rule_files_have_their_icon() -> void:
+	write(RULE, GOOD)
+	EditorInterface.get_resource_filesystem().scan()
+	check(await wait_until(func() -> bool: return EditorInterface.get_resource_filesystem().get_file_type(RULE) == "PCGRuleSet"), "rules are known")
+	check(await wait_until(func() -> bool:
+		EditorInterface.get_file_system_dock().navigate_to_path(RULE)
+		var icon: Texture2D = _find_icon("lot.cga")
+		return icon != null and icon.resource_path.ends_with("PCGRuleSet.svg")), "and seen by their icon: %s" % _find_icon("lot.cga"))
+
+
+func _find_icon(file: String) -> Texture2D:
+	for tree: Tree in EditorInterface.get_file_system_dock().find_children("*", "Tree", true, false):
+		var item: TreeItem = tree.get_root()
+		while item:
+			if item.get_text(0) == file:
+				return item.get_icon(0)
+			item = item.get_next_in_tree()
+	return null
+
+
+func test_keys_of_the_script_editor_work_in_rules() -> void:
+	get_authoring().rules.open(write(RULE, GOOD))
+	await _show(get_authoring().rules)
+	var edit: CodeEdit = get_authoring().rules.get_current()
+	edit.call("go_to", 3, 1)
+	await press(KEY_K, true)
+	check_equal(edit.get_line(2), "\t// extrude(6)", "Ctrl+K makes a comment")
+	await press(KEY_Z, true)
+	check_equal(edit.get_line(2), "\textrude(6)", "Ctrl+Z takes it back")
+	await press(KEY_F, true)
+	await type("Mass")
+	await press(KEY_ENTER)
+	check_equal([edit.get_selection_from_line(), edit.get_selected_text()], [5, "Mass"], "Ctrl+F finds, Enter goes on")
+	var bar: Control = get_authoring().rules.get_node("%FindBar")
+	bar.custom_minimum_size.x = bar.get_combined_minimum_size().x # what it needs is there
+	check(find_cut(bar).is_empty() and get_authoring().rules.get_global_rect().encloses(bar.get_global_rect()), "nothing is cut off: %s" % find_cut(bar))
+	await press(KEY_ESCAPE)
+	check(edit.has_focus() and not (get_authoring().rules.get_node("%FindBar") as Control).visible, "Escape closes the bar")
+	await press(KEY_G, true)
+	await type("1")
+	await press(KEY_ENTER)
+	check_equal(edit.get_caret_line(), 0, "Ctrl+G goes to a line")
+	await press(KEY_W, true)
+	check(get_authoring().rules.get_current() == null, "Ctrl+W closes the file")
+
+
 func test_a_person_is_chosen_and_looked_at() -> void:
 	await _make_city()
 	var dock: Authoring.PCGDock = get_authoring().dock

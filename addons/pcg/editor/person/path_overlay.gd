@@ -29,8 +29,8 @@ static func _add_ribbon(mesh: ImmediateMesh, points: PackedVector3Array, color: 
 	for index: int in points.size() - 1:
 		var from: Vector3 = to_city * points[index] + Vector3.UP * HEIGHT
 		var to: Vector3 = to_city * points[index + 1] + Vector3.UP * HEIGHT
-		var side: Vector3 = (to - from).cross(Vector3.UP).normalized() * WIDTH / 2.0
-		for corner: Vector3 in [from - side, to - side, to + side, from - side, to + side, from + side]:
+		var right: Vector3 = (to - from).cross(Vector3.UP).normalized() * WIDTH # so that the way there and the way back lie side by side
+		for corner: Vector3 in [from, to, to + right, from, to + right, from + right]:
 			mesh.surface_set_color(color)
 			mesh.surface_add_vertex(corner)
 	mesh.surface_end()

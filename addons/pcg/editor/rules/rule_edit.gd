@@ -6,9 +6,15 @@ extends CodeEdit
 signal checked(rules: PCGRuleSet)
 ## Someone asks for the place where a name is defined.
 signal definition_wanted(file: String, line: int)
+## A key was pressed for what is not done in the text itself: one of COMMANDS, or "ui_cancel".
+signal command_wanted(command: String)
+signal zoom_wanted(zoom: float)
 
 const RuleLanguage := preload("res://addons/pcg/editor/rules/rule_language.gd")
 const RuleHighlighter := preload("res://addons/pcg/editor/rules/rule_highlighter.gd")
+const TextKeys := preload("res://addons/pcg/editor/rules/text_keys.gd")
+const COMMANDS: PackedStringArray = ["script_text_editor/find", "script_text_editor/find_next", "script_text_editor/find_previous",
+		"script_text_editor/replace", "script_text_editor/goto_line", "script_editor/close_file"] ## the script editor's shortcuts
 const CHECK_DELAY := 1.0 ## seconds after the last key
 const COMPLETION_DELAY := 0.15 ## seconds
 const SHORTEST_PREFIX := 2 ## letters before names are offered unasked
@@ -18,6 +24,8 @@ var path := ""
 var words: RuleLanguage
 var rules: PCGRuleSet ## the last compilation of what stands here
 var read_time := 0 ## when the file that this text is was last changed, as far as known
+var zoom := 1.0:
+	set = set_zoom
 var _messages: Dictionary[int, Array] = {} # line (from 0) to its diagnostics
 var _gutter := -1
 var _is_taking_theme := false
@@ -72,7 +80,7 @@ func _take_theme() -> void:
 	_is_taking_theme = true
 	var theme_of_editor: Theme = EditorInterface.get_editor_theme()
 	add_theme_font_override("font", theme_of_editor.get_font("source", "EditorFonts"))
-	add_theme_font_size_override("font_size", theme_of_editor.get_font_size("source_size", "EditorFonts"))
+	add_theme_font_size_override("font_size", roundi(theme_of_editor.get_font_size("source_size", "EditorFonts") * zoom))
 	set_gutter_width(_gutter, roundi(18.0 * EditorInterface.get_editor_scale()))
 	_is_taking_theme = false
 	_show_problems()
@@ -89,6 +97,26 @@ func read(from: String) -> void:
 	check()
 
 
+## Reads the file anew where it was changed, and stays at the same place.
+func reread() -> void:
+	var place := Vector2i(get_caret_column(), get_caret_line())
+	var scroll: float = scroll_vertical
+	read(path)
+	set_caret_line(mini(place.y, get_line_count() - 1))
+	set_caret_column(place.x)
+	scroll_vertical = scroll
+
+
+## Whether the file was written by somebody else since it was read or saved here.
+func is_newer_on_disk() -> bool:
+	return FileAccess.file_exists(path) and FileAccess.get_modified_time(path) != read_time
+
+
+## From now on the text is that of the file, whatever the file says.
+func keep_typed() -> void:
+	read_time = FileAccess.get_modified_time(path)
+
+
 func is_modified() -> bool:
 	return get_version() != get_saved_version()
 
@@ -101,6 +129,27 @@ func save() -> Error:
 		read_time = FileAccess.get_modified_time(path)
 		tag_saved_version()
 	return error
+
+
+func set_zoom(shown: float) -> void:
+	zoom = shown
+	if is_node_ready():
+		_take_theme()
+
+
+func _gui_input(event: InputEvent) -> void:
+	_note_key(event as InputEventKey)
+	var command: String = TextKeys.find_command(event, COMMANDS)
+	var wanted: float = TextKeys.find_zoom(event, zoom)
+	if not command.is_empty():
+		command_wanted.emit(command)
+	elif wanted != zoom:
+		zoom_wanted.emit(wanted)
+	elif not TextKeys.take(self, event):
+		if event.is_action_pressed(&"ui_cancel") and get_code_completion_options().is_empty():
+			command_wanted.emit("ui_cancel")
+		return
+	accept_event()
 
 
 ## Compiles the text as it stands here, saved or not.
@@ -155,7 +204,14 @@ static func _worst(messages: Array) -> String:
 
 func _on_text_changed() -> void:
 	_check_timer.start()
-	_completion_timer.start()
+
+
+# Names are offered to who types words, not where lines are moved, changes undone or words replaced.
+func _note_key(key: InputEventKey) -> void:
+	if key and key.pressed and key.unicode > 0 and not key.is_command_or_control_pressed():
+		_completion_timer.start()
+	elif key and key.pressed:
+		_completion_timer.stop()
 
 
 func _offer_unasked() -> void:

@@ -11,6 +11,11 @@ signal regeneration_wanted(path: String)
 
 const RuleEdit := preload("res://addons/pcg/editor/rules/rule_edit.gd")
 const ProblemList := preload("res://addons/pcg/editor/problems/problem_list.gd")
+const FindBar := preload("res://addons/pcg/editor/rules/find_bar.gd")
+const LinePopup := preload("res://addons/pcg/editor/rules/line_popup.gd")
+const LoadedRules := preload("res://addons/pcg/editor/rules/loaded_rules.gd")
+const UnsavedRules := preload("res://addons/pcg/editor/rules/unsaved_rules.gd")
+const DISCARD := &"discard" ## what the button "Don't Save" asks for
 const NARROW := 700.0 ## pixels at 100 %
 const FIRST_LINES := {
 	"cga": "// What this file builds.\nattr height = 9\n\n@StartRule\nLot -->\n\textrude(height)\n\tMass\n\nMass -->\n\tcolor(\"#d8c7a8\")\n",
@@ -22,12 +27,18 @@ var count_users: Callable
 var _edits: Array[RuleEdit] = []
 var _current: RuleEdit
 var _dialog: EditorFileDialog
+var _newer: Array[RuleEdit] = [] # typed in here and written by somebody else, too: asked about now
+var _zoom := 1.0
 
 @onready var _files: ItemList = %Files
 @onready var _holder: PanelContainer = %Edits
 @onready var _problems: ProblemList = %Problems
 @onready var _main: SplitContainer = %Main
 @onready var _users: Control = %Users
+@onready var _find_bar: FindBar = %FindBar
+@onready var _close_question: ConfirmationDialog = %CloseQuestion
+@onready var _newer_question: ConfirmationDialog = %NewerQuestion
+@onready var _line_popup: LinePopup = %LinePopup
 
 
 func _ready() -> void:
@@ -39,6 +50,12 @@ func _ready() -> void:
 	(%Dismiss as Button).pressed.connect(_users.hide)
 	_main.resized.connect(_arrange)
 	_files.item_selected.connect(func(index: int) -> void: _show(_edits[index]))
+	_close_question.add_button("Don't Save", true, DISCARD)
+	_close_question.confirmed.connect(func() -> void: _close(_current, true))
+	_close_question.custom_action.connect(_on_close_action)
+	_newer_question.confirmed.connect(func() -> void: _end_newer_question(true))
+	_newer_question.canceled.connect(func() -> void: _end_newer_question(false))
+	_line_popup.line_chosen.connect(func(line: int) -> void: _current.go_to(line, 1))
 	_problems.problem_activated.connect(func(entry: Dictionary) -> void: open(entry["file"], entry["line"], entry["column"]))
 	_take_theme()
 	_show(null)
@@ -88,6 +105,9 @@ func open(path: String, line: int = 0, column: int = 1) -> bool:
 		edit.checked.connect(_on_checked.bind(edit))
 		edit.definition_wanted.connect(open)
 		edit.text_changed.connect(_refresh_names)
+		edit.command_wanted.connect(_on_command)
+		edit.zoom_wanted.connect(_set_zoom)
+		edit.zoom = _zoom
 		_edits.append(edit)
 		_holder.add_child(edit)
 		edit.read(path)
@@ -128,37 +148,123 @@ func save_all() -> void:
 			_save(edit)
 
 
+## Closes the file that is shown; if it was changed, somebody is asked first.
 func close_current() -> void:
-	if _current == null:
+	if _current and _current.is_modified():
+		_close_question.dialog_text = "Close %s and save what was changed?" % _current.path.get_file()
+		_close_question.popup_centered()
+	elif _current:
+		_close(_current, false)
+
+
+func _on_close_action(action: StringName) -> void:
+	_close_question.hide()
+	if action == DISCARD:
+		_close(_current, false)
+
+
+# What could not be saved stays open.
+func _close(edit: RuleEdit, saves: bool) -> void:
+	if edit == null or saves and not _save(edit):
 		return
-	if _current.is_modified():
-		_save(_current)
-	var index: int = _edits.find(_current)
+	var index: int = _edits.find(edit)
 	_edits.remove_at(index)
-	rules_closed.emit(_current.path)
-	_current.queue_free()
-	_show(_edits[mini(index, _edits.size() - 1)] if not _edits.is_empty() else null)
+	rules_closed.emit(edit.path)
+	edit.queue_free()
+	if edit == _current:
+		_show(_edits[mini(index, _edits.size() - 1)] if not _edits.is_empty() else null)
+	_refresh_names()
 
 
-## Takes over what other programs wrote, where nothing was typed here.
+## Takes over what other programs wrote; where something was typed here, too, somebody is asked.
 func reread_changed() -> void:
 	for edit: RuleEdit in _edits:
-		if not edit.is_modified() and FileAccess.file_exists(edit.path) and FileAccess.get_modified_time(edit.path) != edit.read_time:
-			edit.read(edit.path)
+		if not edit.is_newer_on_disk():
+			continue
+		if not edit.is_modified():
+			edit.reread()
+		elif not _newer.has(edit):
+			_newer.append(edit)
+	if not _newer.is_empty() and not _newer_question.visible:
+		_newer_question.dialog_text = "Newer on disk than what you changed here:\n%s" % "\n".join(_newer.map(func(edit: RuleEdit) -> String: return edit.path))
+		_newer_question.popup_centered()
 
 
-func _save(edit: RuleEdit) -> void:
+func _end_newer_question(reloads: bool) -> void:
+	for edit: RuleEdit in _newer.filter(func(edit: Variant) -> bool: return is_instance_valid(edit)):
+		if reloads:
+			edit.reread()
+		else:
+			edit.keep_typed()
+	_newer.clear()
+
+
+## A file has another place now.
+func follow_move(from: String, to: String) -> void:
+	var edit: RuleEdit = find_edit(from)
+	if edit:
+		rules_closed.emit(from)
+		edit.path = to
+		edit.keep_typed()
+		edit.check()
+
+
+## A file is gone. Text that was not saved stays.
+func follow_removal(path: String) -> void:
+	var edit: RuleEdit = find_edit(path)
+	if edit and not edit.is_modified():
+		_close(edit, false)
+
+
+## Keeps what was not saved for take_back_unsaved(), as before the addon is switched off.
+func keep_unsaved() -> void:
+	var texts: Dictionary[String, String] = {}
+	for edit: RuleEdit in _edits:
+		if edit.is_modified():
+			texts[edit.path] = edit.text
+	UnsavedRules.keep(texts)
+
+
+func take_back_unsaved() -> void:
+	var texts: Dictionary[String, String] = UnsavedRules.take()
+	for path: String in texts:
+		if open(path):
+			_current.text = texts[path]
+			_current.check()
+
+
+func _on_command(command: String) -> void:
+	match command.get_file():
+		"find", "replace":
+			_find_bar.open(command.get_file() == "replace")
+		"find_next", "find_previous":
+			_find_bar.find(command.get_file() == "find_previous")
+		"goto_line":
+			_line_popup.ask(_current)
+		"close_file":
+			close_current()
+		"ui_cancel":
+			_find_bar.close()
+
+
+func _set_zoom(zoom: float) -> void:
+	_zoom = zoom
+	for edit: RuleEdit in _edits:
+		edit.zoom = zoom
+
+
+func _save(edit: RuleEdit) -> bool:
 	var error: Error = edit.save()
 	if error != OK:
 		EditorInterface.get_editor_toaster().push_toast("PCG: %s was not saved: %s" % [edit.path, error_string(error)], EditorToaster.SEVERITY_ERROR)
-		return
+		return false
 	edit.check()
-	if ResourceLoader.has_cached(edit.path):
-		(load(edit.path) as PCGRuleSet).reload()
 	EditorInterface.get_resource_filesystem().update_file(edit.path)
+	LoadedRules.renew(edit.path)
 	_refresh_names()
 	rules_saved.emit(edit.path)
 	_offer_regeneration(edit)
+	return true
 
 
 func _offer_regeneration(edit: RuleEdit) -> void:
@@ -175,6 +281,7 @@ func _on_regenerate() -> void:
 
 func _show(edit: RuleEdit) -> void:
 	_current = edit
+	_find_bar.edit = edit
 	for other: RuleEdit in _edits:
 		other.visible = other == edit
 	(%Hint as Control).visible = edit == null

@@ -36,13 +36,19 @@ func _draw() -> void:
 	var title: String = "outdoors, at most %d" % greatest if not counts.is_empty() else "\"Survey the day\" plots who is outdoors"
 	draw_string(font, Vector2(2.0, font.get_ascent(font_size)), title, HORIZONTAL_ALIGNMENT_LEFT, size.x, font_size, Color(color, 0.7))
 	if counts.size() > 1:
-		draw_polyline(_curve(area, greatest), accent, 2.0 * EditorInterface.get_editor_scale(), true)
+		_draw_curve(_find_curve(area, greatest), accent)
 	if hour >= 0.0:
 		var x: float = area.position.x + area.size.x * hour / 24.0
 		draw_line(Vector2(x, area.position.y), Vector2(x, area.end.y), get_theme_color("warning_color", "Editor"), 2.0 * EditorInterface.get_editor_scale())
 
 
-func _curve(area: Rect2, greatest: int) -> PackedVector2Array:
+# Piece by piece: where a line turns back sharply the engine cuts off its tip, and with it the height that the title tells.
+func _draw_curve(points: PackedVector2Array, color: Color) -> void:
+	for index: int in points.size() - 1:
+		draw_line(points[index], points[index + 1], color, 2.0 * EditorInterface.get_editor_scale(), true)
+
+
+func _find_curve(area: Rect2, greatest: int) -> PackedVector2Array:
 	var points := PackedVector2Array()
 	for index: int in counts.size():
 		points.append(Vector2(area.position.x + area.size.x * (index + 1.0) / counts.size(), area.end.y - area.size.y * counts[index] / float(greatest)))

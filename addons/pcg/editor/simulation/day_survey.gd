@@ -12,8 +12,10 @@ const FRAME_BUDGET := 12_000 ## microseconds
 
 var day := 0
 var counts := PackedInt32Array() ## persons outdoors at the end of each step
+var trips := 0 ## that people walked while days were surveyed, since their life began
 var is_running := false
 var _citizens: CitizenManager
+var _trips_before := 0
 var _before: Array = [] # day, time, paused and record_lives of the simulation before
 
 
@@ -21,6 +23,7 @@ var _before: Array = [] # day, time, paused and record_lives of the simulation b
 func start(citizens: CitizenManager, of_day: int) -> void:
 	_citizens = citizens
 	_before = [citizens.day, citizens.time, citizens.paused, citizens.record_lives]
+	_trips_before = citizens.get_statistics().get("trips", 0)
 	day = of_day
 	counts.clear()
 	is_running = true
@@ -47,6 +50,7 @@ func go_on() -> void:
 	progressed.emit(float(counts.size()) / STEPS_A_DAY)
 	if counts.size() == STEPS_A_DAY:
 		is_running = false
+		trips += int(_citizens.get_statistics()["trips"]) - _trips_before
 		_citizens.record_lives = _before[3] # what is off keeps the day
 		_citizens.jump_to(_before[0], _before[1])
 		_citizens.paused = _before[2]

@@ -66,6 +66,9 @@ func _on_context_changed() -> void:
 	if is_node_ready():
 		overlay.hide()
 		_plot.show_day(PackedInt32Array())
+		_begin_to_count()
+		if context.citizens and not context.citizens.simulation_started.is_connected(_begin_to_count):
+			context.citizens.simulation_started.connect(_begin_to_count)
 		(%Heat as CheckBox).set_pressed_no_signal(false)
 		_show_state()
 
@@ -93,8 +96,7 @@ func _show_state() -> void:
 		return
 	var citizens: CitizenManager = context.citizens
 	(%Clock as Label).text = "%s %s" % [DAYS[posmod(citizens.day, 7)], citizens.get_clock_text()]
-	var figures: Dictionary = citizens.get_statistics()
-	(%Figures as Label).text = "%d of %d outdoors, %d ways begun" % [figures.get("outside", 0), figures["persons"], figures.get("trips", 0)]
+	(%Figures as Label).text = _tell_figures(citizens.get_statistics())
 	var is_living: bool = citizens.is_running() and not citizens.paused
 	(%Play as Button).text = "Pause" if is_living else "Play"
 	(%Play as Button).icon = get_theme_icon("Pause" if is_living else "Play", "EditorIcons")
@@ -107,6 +109,16 @@ func _show_state() -> void:
 	_plot.show_hour(citizens.time / SECONDS_PER_HOUR)
 	if not _hour.has_focus() or not Input.is_mouse_button_pressed(MOUSE_BUTTON_LEFT):
 		_hour.set_value_no_signal(citizens.time / SECONDS_PER_HOUR)
+
+
+# Days that were surveyed are not lived.
+func _tell_figures(figures: Dictionary) -> String:
+	var trips: int = maxi(0, int(figures.get("trips", 0)) - survey.trips)
+	return "%d of %d outdoors, %d %s walked" % [figures.get("outside", 0), figures["persons"], trips, "way" if trips == 1 else "ways"]
+
+
+func _begin_to_count() -> void:
+	survey.trips = 0
 
 
 func play_or_pause() -> void:
