@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -7,13 +8,13 @@
 
 #include <malloc.h>
 
-// Counts what a program takes from the heap. For one source file of a program: it replaces `new` and `delete` in all of it.
+// Counts what a program takes from the heap, on all its threads. For one source file of a program: it replaces `new` and `delete` in all of it.
 namespace pcg::bench {
 
 struct Heap {
-	uint64_t allocations = 0; // since the start
-	size_t bytes = 0; // now
-	size_t most_bytes = 0; // the largest `bytes` since it was last set
+	std::atomic<uint64_t> allocations = 0; // since the start
+	std::atomic<size_t> bytes = 0; // now
+	std::atomic<size_t> most_bytes = 0; // the largest `bytes` since it was last set
 };
 inline Heap heap;
 
@@ -26,8 +27,10 @@ void *operator new(size_t size) {
 	}
 	pcg::bench::Heap &heap = pcg::bench::heap;
 	++heap.allocations;
-	heap.bytes += malloc_usable_size(memory);
-	heap.most_bytes = heap.bytes > heap.most_bytes ? heap.bytes : heap.most_bytes;
+	const size_t bytes = heap.bytes += malloc_usable_size(memory);
+	size_t most = heap.most_bytes;
+	while (most < bytes && !heap.most_bytes.compare_exchange_weak(most, bytes)) {
+	}
 	return memory;
 }
 [[gnu::noinline]] void operator delete(void *memory) noexcept { // in line, compilers take malloc and free for a mismatch

@@ -15,6 +15,7 @@ namespace {
 // A walk by way of a third corner stands for the straight one if it costs at most so much more.
 constexpr float detour = 1.0001f;
 constexpr size_t batch = 256; // corners that a thread looks out of at a time
+constexpr float near = 1.0f; // metres between a change and what a corner sees that may have something to do with it
 
 // All looks of a batch together: on the ground of cities they take less than half of it. Once it is used up, only a little is looked at out of each corner.
 constexpr size_t cones_of_batch = batch << 8;
@@ -72,33 +73,63 @@ void leave_out(const SeenCorner &middle, const std::vector<SeenCorner> &onwards,
 	}
 }
 
-} // namespace
-
-CornerGraph::Extent::Extent(const Sight &sight) : Extent(sight.extent()) { is_cut_short = sight.is_cut_short(); }
-
-CornerGraph::Extent::Extent(const PlanBox &box) {
-	const auto whole = [](float units) { return int16_t(std::clamp(units, -32768.0f, 32767.0f)); };
-	min_x = whole(std::floor(box.min_x / unit));
-	min_z = whole(std::floor(box.min_z / unit));
-	max_x = whole(std::ceil(box.max_x / unit));
-	max_z = whole(std::ceil(box.max_z / unit));
+// What a metre costs on the ground that there is, each cost once, from cheap to dear.
+std::vector<float> grounds_of(const NavMesh &mesh) {
+	std::vector<float> grounds;
+	for (uint32_t polygon = 0; polygon < mesh.polygon_count(); ++polygon) {
+		if (grounds.empty() || mesh.cost(polygon) != grounds.back()) {
+			grounds.push_back(mesh.cost(polygon));
+		}
+	}
+	std::sort(grounds.begin(), grounds.end());
+	grounds.erase(std::unique(grounds.begin(), grounds.end()), grounds.end());
+	return grounds;
 }
 
-bool CornerGraph::Extent::is_near(const PlanBox &box) const {
-	const Extent other(box);
-	return min_x <= other.max_x && max_x >= other.min_x && min_z <= other.max_z && max_z >= other.min_z;
+// Extents reach out in steps that each add 4.4 % and 4 cm, so that 254 of them are 60 km; what is farther counts as anywhere.
+constexpr float steps_by_octave = 16.0f;
+constexpr uint8_t anywhere = 255;
+
+uint8_t steps_of(float metres) {
+	const float steps = std::ceil(steps_by_octave * std::log2(1.0f + metres) + 0.01f); // a little more than it is, for rounding
+	return steps < float(anywhere) ? uint8_t(steps) : anywhere;
+}
+
+float reach_of(uint8_t steps) {
+	static const std::array<float, anywhere + 1> reaches = [] {
+		std::array<float, anywhere + 1> metres{};
+		for (size_t i = 0; i < anywhere; ++i) {
+			metres[i] = std::exp2(float(i) / steps_by_octave) - 1.0f;
+		}
+		metres[anywhere] = INFINITY;
+		return metres;
+	}();
+	return reaches[steps];
+}
+
+} // namespace
+
+CornerGraph::Extent::Extent(glm::vec3 corner, const Sight &sight) : is_cut_short(sight.is_cut_short()) {
+	const PlanBox box = sight.extent();
+	min_x = steps_of(corner.x - box.min_x);
+	min_z = steps_of(corner.z - box.min_z);
+	max_x = steps_of(box.max_x - corner.x);
+	max_z = steps_of(box.max_z - corner.z);
+}
+
+PlanBox CornerGraph::Extent::box(glm::vec3 corner) const {
+	return { corner.x - reach_of(min_x), corner.z - reach_of(min_z), corner.x + reach_of(max_x), corner.z + reach_of(max_z) };
 }
 
 struct CornerGraph::Builder {
 	const NavMesh &mesh;
 	const CornerPolygons &polygons;
 	CornerGraph &graph;
-	Walks walks;
+	CornerWalks walks;
 
 	void run() {
 		look_out();
-		graph.set_walks(thin());
-		graph.measure_far(mesh, polygons, [this](size_t, uint32_t landmark) { return walk_costs(graph, landmark); });
+		graph.set_walks(mesh, polygons, thin(), [](const CornerWalks &in_parts, size_t, uint32_t landmark) { return walk_costs(in_parts, landmark); });
 	}
 
 	void look_out() {
@@ -109,7 +140,7 @@ struct CornerGraph::Builder {
 			Lookout lookout(mesh, corners, polygons);
 			for (size_t corner = first; corner < end; ++corner) {
 				const std::span<const SeenCorner> seen = lookout.look(uint32_t(corner));
-				graph._extents[corner] = Extent(lookout.sight());
+				graph._extents[corner] = Extent(mesh.point(uint32_t(corner)), lookout.sight());
 				walks[corner].assign(seen.begin(), seen.end());
 				std::sort(walks[corner].begin(), walks[corner].end(), is_before);
 			}
@@ -119,8 +150,8 @@ struct CornerGraph::Builder {
 
 	// Along straight streets everybody sees everybody; the walks to the next corners are enough. What is left out is made of shorter walks, which
 	// are there or made of still shorter ones.
-	Walks thin() const {
-		Walks kept(walks.size());
+	CornerWalks thin() const {
+		CornerWalks kept(walks.size());
 		in_batches(walks.size(), [&](size_t first, size_t end) {
 			std::vector<float> direct(walks.size(), 0.0f);
 			for (size_t corner = first; corner < end; ++corner) {
@@ -152,14 +183,15 @@ struct CornerGraph::Builder {
 struct CornerGraph::Updater {
 	const NavMesh &mesh;
 	const CornerPolygons &polygons;
-	const CornerGraph &before;
+	const NavMesh &old_mesh;
 	std::span<const PlanBox> changed;
 	CornerGraph &graph;
-	std::vector<uint32_t> new_of, old_of; // corners; no_corner where there is none
-	std::vector<uint32_t> fresh;
-	std::vector<bool> is_fresh; // of new ones
-	Walks seen; // by fresh ones of each other
-	Walks walks;
+	const CornerGraph &before = old_mesh.corner_graph();
+	std::vector<uint32_t> new_of = {}, old_of = {}; // corners; no_corner where there is none
+	std::vector<uint32_t> fresh = {};
+	std::vector<bool> is_fresh = {}; // of new ones
+	CornerWalks seen = {}; // by fresh ones of each other
+	CornerWalks walks = {};
 
 	// False if corners are gone that should not: the changes were not told right.
 	bool run() {
@@ -169,28 +201,29 @@ struct CornerGraph::Updater {
 		}
 		look_out();
 		thin();
-		graph.set_walks(walks);
-		graph.measure_far(mesh, polygons, [this](size_t index, uint32_t landmark) { return measure(index, landmark); });
+		graph.set_walks(mesh, polygons, std::move(walks), [this](const CornerWalks &in_parts, size_t index, uint32_t landmark) {
+			return measure(in_parts, index, landmark);
+		});
 		return true;
 	}
 
 	// Corners in the same place, to the bit.
 	void match() {
-		const Corners &corners = graph._corners;
 		HashIndex places;
-		for (uint32_t corner = 0; corner < corners.count(); ++corner) {
-			places.add(hash_of(corners.position(corner)));
+		for (uint32_t corner = 0; corner < graph._corners.count(); ++corner) {
+			places.add(hash_of(mesh.point(corner)));
 		}
 		new_of.assign(before._corners.count(), no_corner);
 		old_of.assign(graph._corners.count(), no_corner);
 		is_fresh.assign(graph._corners.count(), true);
 		for (uint32_t corner = 0; corner < before._corners.count(); ++corner) {
-			const glm::vec3 place = before._corners.position(corner);
-			const uint32_t found = places.find(hash_of(place), [&](uint32_t other) { return corners.position(other) == place; });
+			const glm::vec3 place = old_mesh.point(corner);
+			const uint32_t found = places.find(hash_of(place), [&](uint32_t other) { return mesh.point(other) == place; });
 			if (found != HashIndex::none) {
 				new_of[corner] = found;
 				old_of[found] = corner;
-				is_fresh[found] = std::ranges::any_of(changed, [&](const PlanBox &box) { return before._extents[corner].is_near(box); });
+				const PlanBox extent = before._extents[corner].box(place);
+				is_fresh[found] = std::ranges::any_of(changed, [&](const PlanBox &box) { return extent.is_near(box, near); });
 			}
 		}
 	}
@@ -204,14 +237,14 @@ struct CornerGraph::Updater {
 				continue;
 			}
 			graph._extents[corner] = before._extents[old_of[corner]];
-			for (const SeenCorner &walk : before.walks(old_of[corner])) {
-				const uint32_t there = new_of[walk.corner];
-				if (there == no_corner) {
+			walks[corner] = before._walks.of(old_mesh.points(), old_of[corner]);
+			for (SeenCorner &walk : walks[corner]) {
+				walk.corner = new_of[walk.corner];
+				if (walk.corner == no_corner) {
 					return false;
 				}
-				walks[corner].push_back({ there, walk.cost });
-				if (is_fresh[there]) {
-					walks[there].push_back({ corner, walk.cost });
+				if (is_fresh[walk.corner]) {
+					walks[walk.corner].push_back({ corner, walk.cost });
 				}
 			}
 		}
@@ -228,7 +261,7 @@ struct CornerGraph::Updater {
 						seen[fresh[i]].push_back(other);
 					}
 				}
-				graph._extents[fresh[i]] = Extent(lookout.sight());
+				graph._extents[fresh[i]] = Extent(mesh.point(fresh[i]), lookout.sight());
 				std::sort(seen[fresh[i]].begin(), seen[fresh[i]].end(), is_before);
 			}
 		});
@@ -236,7 +269,7 @@ struct CornerGraph::Updater {
 	}
 
 	void thin() {
-		Walks kept(fresh.size());
+		CornerWalks kept(fresh.size());
 		in_batches(fresh.size(), [&](size_t first, size_t end) {
 			std::vector<float> direct(walks.size(), 0.0f);
 			for (size_t i = first; i < end; ++i) {
@@ -268,31 +301,28 @@ struct CornerGraph::Updater {
 		}
 	}
 
-	std::vector<float> measure(size_t index, uint32_t landmark) const {
-		if (graph._landmarks[index] != before._landmarks[index] || old_of[landmark] == no_corner) {
-			return walk_costs(graph, landmark);
+	std::vector<float> measure(const CornerWalks &in_parts, size_t index, uint32_t landmark) const {
+		if (graph._landmarks[index] != before._landmarks[index] || graph._unit != before._unit || old_of[landmark] == no_corner) {
+			return walk_costs(in_parts, landmark);
 		}
-		std::vector<float> costs(walks.size(), INFINITY);
+		std::vector<float> costs(in_parts.size(), INFINITY);
 		for (uint32_t corner = 0; corner < costs.size(); ++corner) {
-			const float cost = old_of[corner] != no_corner ? before._far[old_of[corner]][index] : 0.0f;
-			costs[corner] = cost > 0.0f ? cost : INFINITY;
+			if (old_of[corner] != no_corner) {
+				costs[corner] = before.far_cost(old_of[corner], index);
+			}
 		}
-		costs[landmark] = 0.0f;
-		repair_walk_costs(graph, landmark, fresh, costs);
+		repair_walk_costs(in_parts, landmark, fresh, costs);
 		return costs;
 	}
 };
 
-CornerGraph::CornerGraph(const NavMesh &mesh, float margin) {
-	CornerPolygons polygons;
-	_corners = Corners(mesh, margin, polygons);
+CornerGraph::CornerGraph(const NavMesh &mesh, const Corners &corners, const CornerPolygons &polygons) : _corners(corners) {
 	Builder{ mesh, polygons, *this, {} }.run();
 }
 
-CornerGraph::CornerGraph(const NavMesh &mesh, float margin, const CornerGraph &before, std::span<const PlanBox> changed) {
-	CornerPolygons polygons;
-	_corners = Corners(mesh, margin, polygons);
-	if (!Updater{ mesh, polygons, before, changed, *this, {}, {}, {}, {}, {}, {} }.run()) {
+CornerGraph::CornerGraph(const NavMesh &mesh, const Corners &corners, const CornerPolygons &polygons, const NavMesh &before,
+		std::span<const PlanBox> changed) : _corners(corners) {
+	if (!Updater{ mesh, polygons, before, changed, *this }.run()) {
 		Builder{ mesh, polygons, *this, {} }.run();
 	}
 }
@@ -301,44 +331,64 @@ size_t CornerGraph::cut_short_count() const {
 	return size_t(std::ranges::count_if(_extents, [](const Extent &extent) { return extent.is_cut_short; }));
 }
 
-void CornerGraph::set_walks(const Walks &walks) {
-	_first.assign(1, 0);
-	_first.reserve(walks.size() + 1);
-	for (const std::vector<SeenCorner> &list : walks) {
-		_first.push_back(_first.back() + uint32_t(list.size()));
-	}
-	_walks.reserve(_first.back());
-	for (const std::vector<SeenCorner> &list : walks) {
-		_walks.insert(_walks.end(), list.begin(), list.end());
-	}
+void CornerGraph::set_far(uint32_t corner, size_t index, float cost) {
+	const auto whole = uint32_t(std::min(cost, float(parts * uint32_t(beyond))));
+	_far[corner][index] = int16_t(whole / parts);
+	_far_parts[corner][index / 2] |= uint8_t(whole % parts << (index % 2 * 4));
 }
 
-void CornerGraph::measure_far(const NavMesh &mesh, const CornerPolygons &polygons,
-		const std::function<std::vector<float>(size_t, uint32_t)> &measure) {
+float CornerGraph::far_cost(uint32_t corner, size_t index) const {
+	const int16_t units = _far[corner][index];
+	const uint32_t rest = _far_parts[corner][index / 2] >> (index % 2 * 4) & (parts - 1);
+	return units < beyond ? float(parts * uint32_t(units) + rest) : INFINITY;
+}
+
+// Walks count in whole parts of a unit, less than they cost, so that estimates are never too high and what an edit changes is mended to the bit. A unit is
+// such that the numbers reach for ways that cost a quarter more than as many metres along the city and across it: 5 cm for 300 lots, 20 cm for 10,000.
+// Farther off landmarks tell less and less.
+void CornerGraph::set_walks(const NavMesh &mesh, const CornerPolygons &polygons, CornerWalks walks, const Measure &measure) {
+	constexpr float least_unit = 0.01f;
+	_walks = PackedWalks(mesh.points(), grounds_of(mesh), walks);
 	_far.resize(_corners.count());
+	_far_parts.resize(_corners.count());
 	if (_far.empty()) {
 		return;
 	}
+	PlanBox box;
+	for (uint32_t corner = 0; corner < _corners.count(); ++corner) {
+		box.add(mesh.point(corner));
+	}
+	_unit = std::max(least_unit, 1.25f * (box.max_x - box.min_x + box.max_z - box.min_z) / float(beyond));
+	for (std::vector<SeenCorner> &from : walks) {
+		for (SeenCorner &walk : from) {
+			walk.cost = std::floor(walk.cost * float(parts) / _unit);
+		}
+	}
 	const std::vector<uint32_t> landmarks = choose_landmarks(mesh, _corners, polygons, landmark_count);
 	for (size_t k = 0; k < landmark_count; ++k) {
-		_landmarks[k] = _corners.position(landmarks[k]);
+		_landmarks[k] = mesh.point(landmarks[k]);
 	}
-	parallel_for(landmark_count, {}, [&](size_t k) {
-		const std::vector<float> costs = measure(k, landmarks[k]);
-		for (size_t corner = 0; corner < costs.size(); ++corner) {
-			_far[corner][k] = std::isfinite(costs[corner]) ? costs[corner] : 0.0f; // where the landmark is out of reach it tells nothing
+	parallel_for(landmark_count / 2, {}, [&](size_t pair) { // that share bytes
+		for (size_t k = 2 * pair; k < 2 * pair + 2; ++k) {
+			const std::vector<float> costs = measure(walks, k, landmarks[k]);
+			for (uint32_t corner = 0; corner < costs.size(); ++corner) {
+				set_far(corner, k, costs[corner]);
+			}
 		}
 	});
 }
 
+// A corner may be almost a unit farther than is known: the goal is that much nearer.
 CornerGraph::Goal CornerGraph::goal(std::span<const SeenCorner> seen) const {
 	Goal goal;
-	goal.least.fill(INFINITY);
-	goal.most.fill(-INFINITY);
+	goal.least.fill(beyond);
+	goal.most.fill(0);
 	for (const SeenCorner &corner : seen) {
+		const Far &far = _far[corner.corner];
+		const auto units = int16_t(std::min(corner.cost / _unit, float(beyond))), room = int16_t(beyond - units);
 		for (size_t k = 0; k < landmark_count; ++k) {
-			goal.least[k] = std::min(goal.least[k], _far[corner.corner][k] + corner.cost);
-			goal.most[k] = std::max(goal.most[k], _far[corner.corner][k] - corner.cost);
+			goal.least[k] = std::min(goal.least[k], int16_t(std::min(far[k], room) + units - 1));
+			goal.most[k] = std::max(goal.most[k], int16_t(std::max(far[k], units) - units + 1));
 		}
 	}
 	return goal;

@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 
 #include "core/navigation/corners.h"
+#include "core/navigation/packed_walks.h"
 #include "core/navigation/plan.h"
 #include "core/navigation/sight.h"
 
@@ -21,61 +22,64 @@ namespace pcg {
 class CornerGraph {
 public:
 	static constexpr size_t landmark_count = 16;
-	// What it costs to walk from each landmark to a corner; 0 where it cannot be reached.
-	using Far = std::array<float, landmark_count>;
 
 	CornerGraph() = default;
-	CornerGraph(const NavMesh &mesh, float margin); // as in NavMeshOptions
+	CornerGraph(const NavMesh &mesh, const Corners &corners, const CornerPolygons &polygons);
 	// The same out of the graph from before polygons in some places came, went or changed: corners that saw none of them keep their walks. Where others
 	// do not, a walk may stand for itself that is made of shorter ones otherwise.
-	CornerGraph(const NavMesh &mesh, float margin, const CornerGraph &before, std::span<const PlanBox> changed);
+	CornerGraph(const NavMesh &mesh, const Corners &corners, const CornerPolygons &polygons, const NavMesh &before, std::span<const PlanBox> changed);
 
 	const Corners &corners() const { return _corners; }
 	// How many corners saw too much to look at all of it (Sight::is_cut_short()): there walks may be longer than they need be. 0 for the ground of cities.
 	size_t cut_short_count() const;
 	// Both directions are there. Where a third corner lies all but on the line, the walk to it and the one from there stand for the long one.
-	std::span<const SeenCorner> walks(uint32_t corner) const { return { _walks.data() + _first[corner], _first[corner + 1] - _first[corner] }; }
+	const PackedWalks &walks() const { return _walks; }
+	// What it costs at least to walk from each landmark, in whole units; `beyond` if it is more or if there is no way.
+	using Far = std::array<int16_t, landmark_count>;
+	static constexpr int16_t beyond = 0x7FFF;
 	// Where walks end that come by one of some corners.
 	struct Goal {
-		Far least, most; // that it costs from each landmark, by what is known of those corners
+		Far least, most; // by what is known of those corners; such that differences need no more bits
 	};
 	Goal goal(std::span<const SeenCorner> seen) const;
 	// At least so much costs a walk from the corner to the goal.
 	float estimate(uint32_t corner, const Goal &goal) const {
 		const Far &far = _far[corner];
-		float cost[4] = {}; // side by side, as processors do it at once
-		for (size_t first = 0; first < landmark_count; first += 4) {
-			for (size_t k = 0; k < 4; ++k) {
-				cost[k] = std::max(cost[k], std::max(goal.least[first + k] - far[first + k], far[first + k] - goal.most[first + k]));
-			}
+		int16_t units = 0;
+		for (size_t k = 0; k < landmark_count; ++k) { // as whole numbers of 16 bits processors compare eight at once
+			const auto ahead = int16_t(goal.least[k] - far[k]), behind = int16_t(far[k] - goal.most[k]);
+			units = std::max(units, std::max(ahead, behind));
 		}
-		return std::max(std::max(cost[0], cost[1]), std::max(cost[2], cost[3]));
+		return _unit * float(units);
 	}
 
 private:
 	struct Builder;
 	struct Updater;
-	// The box that a corner's walks depend on, in whole units outwards: coarse, for there are many corners.
+	// What a corner's walks depend on: how far it reaches from the corner in the four directions of the plan. Coarse, for there are many corners.
 	struct Extent {
-		static constexpr float unit = 2.0f; // metres; ground lies within 65 km, or what is seen counts as anywhere
-		int16_t min_x, min_z, max_x, max_z;
+		uint8_t min_x = 0, min_z = 0, max_x = 0, max_z = 0; // steps of a scale, see the source
 		bool is_cut_short = false;
 
-		explicit Extent(const PlanBox &box = {});
-		explicit Extent(const Sight &sight); // after a look
-		bool is_near(const PlanBox &box) const;
+		Extent() = default;
+		Extent(glm::vec3 corner, const Sight &sight); // after a look
+		PlanBox box(glm::vec3 corner) const;
 	};
-	using Walks = std::vector<std::vector<SeenCorner>>; // by corner
+	// What the far costs are rounded down from, in parts of a unit, two landmarks a byte. Estimates do without; what is mended after an edit begins with it.
+	using FarParts = std::array<uint8_t, landmark_count / 2>;
+	static constexpr uint32_t parts = 16;
+	using Measure = std::function<std::vector<float>(const CornerWalks &walks, size_t index, uint32_t landmark)>;
 
-	void set_walks(const Walks &walks);
-	void measure_far(const NavMesh &mesh, const CornerPolygons &polygons,
-			const std::function<std::vector<float>(size_t index, uint32_t landmark)> &measure);
+	void set_walks(const NavMesh &mesh, const CornerPolygons &polygons, CornerWalks walks, const Measure &measure);
+	void set_far(uint32_t corner, size_t index, float cost);
+	float far_cost(uint32_t corner, size_t index) const; // parts; infinity if it is beyond
 
 	Corners _corners;
-	std::vector<uint32_t> _first; // one more than corners
-	std::vector<SeenCorner> _walks;
+	PackedWalks _walks;
 	std::vector<Extent> _extents; // by corner
 	std::vector<Far> _far; // by corner
+	std::vector<FarParts> _far_parts; // by corner
+	float _unit = 1.0f; // cost
 	std::array<glm::vec3, landmark_count> _landmarks{};
 };
 

@@ -20,6 +20,7 @@ constexpr float flat = 0.01f; // radians; walls that bend less do not bend
 constexpr float grazing = 0.01f; // radians; who walks along a wall so closely touches it
 constexpr size_t batch = 1024; // places that a thread looks at at a time
 constexpr float weld = 100.0f; // ends of gaps in the same square centimetre are one
+constexpr float wall_length = 32767.0f; // of directions in whole numbers
 
 // What a polygon takes of the directions around a point, in radians, counter-clockwise seen from above.
 struct Arc {
@@ -92,7 +93,16 @@ std::vector<End> sorted_ends(const NavMesh &mesh) {
 	return ends;
 }
 
-// Ends at one place each, in the order of polygons, so that corners beside each other lie beside each other in memory.
+// In the order of a curve that fills the plan (Morton 1966): of numbers that are given along it those of neighbours seldom lie far apart.
+bool is_before_on_curve(const End &a, const End &b) {
+	const uint64_t x = uint64_t(a.x ^ b.x), z = uint64_t(a.z ^ b.z);
+	if (x == 0 && z == 0) {
+		return a.y < b.y;
+	}
+	return x < z && x < (x ^ z) ? a.z < b.z : a.x < b.x; // by the axis along which the highest bit differs
+}
+
+// Ends at one place each.
 std::vector<std::span<const End>> places_of(const std::vector<End> &ends) {
 	std::vector<std::span<const End>> places;
 	for (size_t first = 0, last = 0; first < ends.size(); first = last) {
@@ -101,8 +111,39 @@ std::vector<std::span<const End>> places_of(const std::vector<End> &ends) {
 		}
 		places.push_back({ ends.data() + first, last - first });
 	}
-	std::sort(places.begin(), places.end(), [](std::span<const End> a, std::span<const End> b) { return a[0].end < b[0].end; });
+	std::sort(places.begin(), places.end(), [](std::span<const End> a, std::span<const End> b) { return is_before_on_curve(a[0], b[0]); });
 	return places;
+}
+
+// Points of the mesh in their new order: first those that stand for the corners at the chosen places, by their first ends, then the others there, of which
+// it is told whose they are, then the rest.
+std::vector<uint32_t> number_points(const NavMesh &mesh, std::span<const std::span<const End>> places, std::span<const size_t> chosen,
+		std::vector<uint32_t> &order) {
+	std::vector<bool> is_numbered(mesh.point_count());
+	const auto number = [&](uint32_t point) {
+		const bool is_new = !is_numbered[point];
+		if (is_new) {
+			is_numbered[point] = true;
+			order.push_back(point);
+		}
+		return is_new;
+	};
+	for (const size_t place : chosen) {
+		number(point_of(mesh, places[place][0].end));
+	}
+	std::vector<uint32_t> beside;
+	for (uint32_t corner = 0; corner < chosen.size(); ++corner) {
+		for (const End &end : places[chosen[corner]]) {
+			if (number(point_of(mesh, end.end))) {
+				beside.push_back(corner);
+			}
+		}
+	}
+	for (uint32_t point = 0; point < mesh.point_count(); ++point) {
+		number(point);
+	}
+	shrink(beside);
+	return beside;
 }
 
 } // namespace
@@ -129,7 +170,7 @@ bool add_touching(const NavMesh &mesh, glm::vec3 point, float margin, std::vecto
 struct Corners::Finder {
 	const NavMesh &mesh;
 	float margin;
-	std::vector<Corner> corners;
+	std::vector<Walls> corners;
 	std::vector<size_t> places; // of the corners
 	CornerPolygons corner_polygons;
 	std::vector<uint32_t> polygons;
@@ -142,24 +183,24 @@ struct Corners::Finder {
 				polygons.push_back(end.polygon);
 			}
 		}
-		Corner corner;
-		corner.position = mesh.point(point_of(mesh, here[0].end));
-		const bool is_uncertain = add_touching(mesh, corner.position, margin, polygons);
+		Walls walls;
+		const glm::vec3 position = mesh.point(point_of(mesh, here[0].end));
+		const bool is_uncertain = add_touching(mesh, position, margin, polygons);
 		const bool is_mixed = std::ranges::any_of(polygons, [&](uint32_t polygon) { return mesh.cost(polygon) != mesh.cost(polygons[0]); });
-		if (!is_uncertain && !is_mixed && !juts_out(corner)) {
+		if (!is_uncertain && !is_mixed && !juts_out(position, walls)) {
 			return;
 		}
 		corner_polygons.add(polygons);
-		corners.push_back(corner);
+		corners.push_back(walls);
 		places.push_back(place);
 	}
 
 	// Finds the walls. False if none juts out: all around is free, or the wall runs straight on or recedes.
-	bool juts_out(Corner &corner) {
+	bool juts_out(glm::vec3 position, Walls &found) {
 		arcs.clear();
 		bool is_off = false;
 		for (const uint32_t polygon : polygons) {
-			arcs.push_back(arc_of(mesh.corners(polygon), corner.position, is_off));
+			arcs.push_back(arc_of(mesh.corners(polygon), position, is_off));
 		}
 		const std::vector<Arc> walls = blocked(arcs);
 		if (walls.size() != 1 || is_off) {
@@ -168,12 +209,14 @@ struct Corners::Finder {
 		if (walls[0].to - walls[0].from > turn / 2.0f - flat) {
 			return false;
 		}
-		corner.walls = { std::cos(walls[0].from), -std::sin(walls[0].from), std::cos(walls[0].to), -std::sin(walls[0].to) };
+		const auto whole = [](float part) { return int16_t(std::lround(part * wall_length)); };
+		const Arc wall = walls[0];
+		found = { whole(std::cos(wall.from)), whole(-std::sin(wall.from)), whole(std::cos(wall.to)), whole(-std::sin(wall.to)) };
 		return true;
 	}
 };
 
-Corners::Corners(const NavMesh &mesh, float margin, CornerPolygons &polygons) {
+Corners::Corners(const NavMesh &mesh, float margin, CornerPolygons &polygons, std::vector<uint32_t> &order) {
 	const std::vector<End> ends = sorted_ends(mesh);
 	const std::vector<std::span<const End>> places = places_of(ends);
 	std::vector<Finder> finders((places.size() + batch - 1) / batch, { mesh, margin / 2.0f + touch, {}, {}, {}, {}, {} }); // gaps lie midway between sides
@@ -182,25 +225,24 @@ Corners::Corners(const NavMesh &mesh, float margin, CornerPolygons &polygons) {
 			finders[index].look_at(place, places[place]);
 		}
 	});
-	_at.assign(mesh.point_count(), no_corner);
+	std::vector<size_t> chosen; // places
 	for (const Finder &found : finders) {
-		for (size_t i = 0; i < found.corners.size(); ++i) {
-			for (const End &end : places[found.places[i]]) {
-				_at[point_of(mesh, end.end)] = uint32_t(_corners.size());
-			}
-			_corners.push_back(found.corners[i]);
-			polygons.add(found.corner_polygons.of(uint32_t(i)));
+		_walls.insert(_walls.end(), found.corners.begin(), found.corners.end());
+		chosen.insert(chosen.end(), found.places.begin(), found.places.end());
+		for (uint32_t i = 0; i < found.corners.size(); ++i) {
+			polygons.add(found.corner_polygons.of(i));
 		}
 	}
-	shrink(_corners);
+	shrink(_walls);
+	_count = uint32_t(_walls.size());
+	_beside = number_points(mesh, places, chosen, order);
 }
 
 // The walls have to lie on one side of the way.
-bool Corners::is_bend(uint32_t corner, glm::vec3 from) const {
-	const Walls &walls = _corners[corner].walls;
-	const float dx = _corners[corner].position.x - from.x, dz = _corners[corner].position.z - from.z;
-	const float slack = grazing * std::sqrt(dx * dx + dz * dz);
-	const float first = walls.first_x * dz - walls.first_z * dx, second = walls.second_x * dz - walls.second_z * dx;
+bool Corners::is_bend(uint32_t corner, glm::vec3 way) const {
+	const Walls &walls = _walls[corner];
+	const float slack = grazing * wall_length * std::sqrt(way.x * way.x + way.z * way.z);
+	const float first = walls.first_x * way.z - walls.first_z * way.x, second = walls.second_x * way.z - walls.second_z * way.x;
 	return (first >= -slack && second >= -slack) || (first <= slack && second <= slack);
 }
 

@@ -36,29 +36,28 @@ private:
 class Corners {
 public:
 	Corners() = default;
-	// `margin` as in NavMeshOptions. Adds all corners to `polygons`.
-	Corners(const NavMesh &mesh, float margin, CornerPolygons &polygons);
+	// `margin` as in NavMeshOptions. Adds all corners to `polygons`, and to `order` all points of the mesh as they are to be numbered from then on: those at
+	// corners first, so that a corner's number is that of its point.
+	Corners(const NavMesh &mesh, float margin, CornerPolygons &polygons, std::vector<uint32_t> &order);
 
-	size_t count() const { return _corners.size(); }
-	glm::vec3 position(uint32_t corner) const { return _corners[corner].position; }
+	size_t count() const { return _walls.size(); }
 	// The one at a point of the mesh; no_corner where no walk bends.
-	uint32_t at(uint32_t point) const { return _at[point]; }
-	// Whether a shortest walk may come straight from `from` and go on in another direction, around the wall. Where that is uncertain, it may.
-	bool is_bend(uint32_t corner, glm::vec3 from) const;
+	uint32_t at(uint32_t point) const {
+		return point < _count ? point : (point - _count < _beside.size() ? _beside[point - _count] : no_corner);
+	}
+	// Whether a shortest walk that comes straight along `way` may go on in another direction, around the wall. Where that is uncertain, it may.
+	bool is_bend(uint32_t corner, glm::vec3 way) const;
 
 private:
-	// Directions of the plan in which the walls run away from the corner, of length 1; both 0 if there is no single wall.
+	// Directions of the plan in which the walls run away from the corner, `wall_length` long; both 0 if there is no single wall.
 	struct Walls {
-		float first_x = 0.0f, first_z = 0.0f, second_x = 0.0f, second_z = 0.0f;
-	};
-	struct Corner {
-		glm::vec3 position{ 0.0f };
-		Walls walls;
+		int16_t first_x = 0, first_z = 0, second_x = 0, second_z = 0;
 	};
 	struct Finder;
 
-	std::vector<Corner> _corners;
-	std::vector<uint32_t> _at; // by point
+	uint32_t _count = 0;
+	std::vector<Walls> _walls; // by corner
+	std::vector<uint32_t> _beside; // corners at the points after those, which lie within a centimetre of them
 };
 
 } // namespace pcg

@@ -92,15 +92,18 @@ public:
 		collect();
 	}
 
-	const std::vector<std::pair<uint32_t, uint32_t>> &list() const { return _pairs; }
+	size_t count() const { return _pairs.size(); }
+	std::pair<uint32_t, uint32_t> pair(size_t index) const { return { uint32_t(_pairs[index] >> 32), uint32_t(_pairs[index]) }; }
 
 private:
 	struct Entry {
-		int32_t column, row;
+		uint64_t cell;
 		uint32_t edge;
-		friend auto operator<=>(const Entry &, const Entry &) = default;
+
+		bool operator<(const Entry &other) const { return cell != other.cell ? cell < other.cell : edge < other.edge; }
 	};
 
+	static uint64_t both(uint32_t a, uint32_t b) { return uint64_t(a) << 32 | b; } // as one number they are sorted much faster
 	int32_t cell_of(float coordinate) const { return int32_t(std::floor(coordinate / _cell)); }
 
 	// Goes along the edge column by column, so that a long slanting edge enters the cells near it only.
@@ -117,19 +120,19 @@ private:
 				z1 = std::fmin(z_high, std::fmax(za, zb));
 			}
 			for (int32_t row = cell_of(z0 - _margin); row <= cell_of(z1 + _margin); ++row) {
-				_entries.push_back({ column, row, edge });
+				_entries.push_back({ both(uint32_t(column), uint32_t(row)), edge });
 			}
 		}
 	}
 
 	void collect() {
 		for (size_t first = 0, end = 0; first < _entries.size(); first = end) {
-			while (end < _entries.size() && _entries[end].column == _entries[first].column && _entries[end].row == _entries[first].row) {
+			while (end < _entries.size() && _entries[end].cell == _entries[first].cell) {
 				++end;
 			}
 			for (size_t i = first; i < end; ++i) {
 				for (size_t j = i + 1; j < end; ++j) {
-					_pairs.emplace_back(_entries[i].edge, _entries[j].edge);
+					_pairs.push_back(both(_entries[i].edge, _entries[j].edge));
 				}
 			}
 		}
@@ -140,7 +143,7 @@ private:
 	float _margin;
 	float _cell = 1.0f;
 	std::vector<Entry> _entries;
-	std::vector<std::pair<uint32_t, uint32_t>> _pairs;
+	std::vector<uint64_t> _pairs;
 };
 
 } // namespace
@@ -149,7 +152,8 @@ std::vector<NavGap> find_links(std::span<const NavEdge> edges, const NavMeshOpti
 	std::vector<NavGap> links;
 	const std::vector<uint32_t> left_over = join_shared(edges, links);
 	const NearbyPairs pairs(edges, left_over, options.margin);
-	for (const auto &[a, b] : pairs.list()) {
+	for (size_t i = 0; i < pairs.count(); ++i) {
+		const auto [a, b] = pairs.pair(i);
 		join_side_by_side(edges[a], edges[b], options, links);
 	}
 	return links;

@@ -66,13 +66,17 @@ NavMesh::NavMesh() : _corner_graph(std::make_shared<CornerGraph>()) {}
 
 NavMesh NavMesh::build(std::span<const NavRegion> regions, const NavMeshOptions &options) {
 	NavMesh mesh = join(regions, options);
-	mesh._corner_graph = std::make_shared<CornerGraph>(mesh, options.margin);
+	CornerPolygons polygons;
+	const Corners corners = mesh.find_corners(options, polygons);
+	mesh._corner_graph = std::make_shared<CornerGraph>(mesh, corners, polygons);
 	return mesh;
 }
 
 NavMesh NavMesh::rebuild(const NavMesh &before, std::span<const PlanBox> changed, std::span<const NavRegion> regions, const NavMeshOptions &options) {
 	NavMesh mesh = join(regions, options);
-	mesh._corner_graph = std::make_shared<CornerGraph>(mesh, options.margin, *before._corner_graph, changed);
+	CornerPolygons polygons;
+	const Corners corners = mesh.find_corners(options, polygons);
+	mesh._corner_graph = std::make_shared<CornerGraph>(mesh, corners, polygons, before, changed);
 	return mesh;
 }
 
@@ -104,8 +108,7 @@ NavMesh NavMesh::join(std::span<const NavRegion> regions, const NavMeshOptions &
 	mesh.set_links(find_links(edges, options), known);
 	mesh.find_components();
 	mesh.fill_grid();
-	shrink(mesh._points); // it stays for long
-	shrink(mesh._corners);
+	shrink(mesh._corners); // it stays for long
 	shrink(mesh._first_corner);
 	shrink(mesh._costs);
 	return mesh;
@@ -154,6 +157,28 @@ void NavMesh::set_links(std::vector<NavGap> gaps, HashIndex &known) {
 	std::partial_sum(_first_link.begin(), _first_link.end(), _first_link.begin());
 }
 
+Corners NavMesh::find_corners(const NavMeshOptions &options, CornerPolygons &polygons) {
+	std::vector<uint32_t> order;
+	order.reserve(_points.size());
+	const Corners corners(*this, options.margin, polygons, order);
+	std::vector<uint32_t> new_of(_points.size());
+	std::vector<glm::vec3> points;
+	points.reserve(_points.size());
+	for (const uint32_t point : order) {
+		new_of[point] = uint32_t(points.size());
+		points.push_back(_points[point]);
+	}
+	_points = std::move(points);
+	for (uint32_t &corner : _corners) {
+		corner = new_of[corner];
+	}
+	for (NavLink &link : _links) {
+		link.left = new_of[link.left];
+		link.right = new_of[link.right];
+	}
+	return corners;
+}
+
 uint32_t NavMesh::source(uint32_t link) const {
 	return uint32_t(std::upper_bound(_first_link.begin(), _first_link.end(), link) - _first_link.begin()) - 1;
 }
@@ -168,17 +193,31 @@ void NavMesh::find_components() {
 		}
 	}
 	// The lowest polygon of a component is its root and comes first: number in that order.
-	_components.resize(polygon_count());
+	std::vector<uint32_t> components(polygon_count()), sizes;
 	for (uint32_t polygon = 0; polygon < polygon_count(); ++polygon) {
 		const uint32_t root = find_root(parents, polygon);
 		if (root == polygon) {
-			_components[polygon] = uint32_t(_component_areas.size());
+			components[polygon] = uint32_t(_component_areas.size());
 			_component_areas.push_back(0.0);
+			sizes.push_back(0);
 		} else {
-			_components[polygon] = _components[root];
+			components[polygon] = components[root];
 		}
-		_component_areas[_components[polygon]] += plan_area(corners(polygon));
+		_component_areas[components[polygon]] += plan_area(corners(polygon));
+		++sizes[components[polygon]];
 	}
+	_main_component = uint32_t(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+	for (uint32_t polygon = 0; polygon < polygon_count(); ++polygon) {
+		if (components[polygon] != _main_component) {
+			_islands.push_back({ polygon, components[polygon] });
+		}
+	}
+	shrink(_islands);
+}
+
+uint32_t NavMesh::component(uint32_t polygon) const {
+	const auto island = std::lower_bound(_islands.begin(), _islands.end(), polygon, [](Island here, uint32_t wanted) { return here.polygon < wanted; });
+	return island != _islands.end() && island->polygon == polygon ? island->component : _main_component;
 }
 
 uint32_t NavMesh::column(float x) const {
@@ -200,9 +239,9 @@ void NavMesh::fill_grid() {
 		_min = { std::fmin(_min.x, point.x), std::fmin(_min.y, point.y), std::fmin(_min.z, point.z) };
 		_max = { std::fmax(_max.x, point.x), std::fmax(_max.y, point.y), std::fmax(_max.z, point.z) };
 	}
-	// One polygon a cell on average, at most 4096 cells a side.
+	// Four polygons a cell on average, at most 4096 cells a side.
 	const float width = _max.x - _min.x, depth = _max.z - _min.z;
-	_cell = std::fmax(std::sqrt(width * depth / float(polygon_count())), std::fmax(width, depth) / 4096.0f);
+	_cell = std::fmax(std::sqrt(4.0f * width * depth / float(polygon_count())), std::fmax(width, depth) / 4096.0f);
 	_columns = uint32_t(width / _cell) + 1;
 	_rows = uint32_t(depth / _cell) + 1;
 	const auto for_cells = [this](uint32_t polygon, auto action) {
@@ -259,7 +298,7 @@ NavPoint NavMesh::nearest(glm::vec3 point, float reach) const {
 		return best;
 	}
 	// A growing square around the point: done when nothing outside of it can be nearer.
-	for (float half = std::fmin(reach, _cell / 2.0f);; half = std::fmin(reach, 2.0f * half)) {
+	for (float half = std::fmin(reach, _cell / 4.0f);; half = std::fmin(reach, 2.0f * half)) {
 		for (uint32_t r = row(point.z - half); r <= row(point.z + half); ++r) {
 			for (uint32_t c = column(point.x - half); c <= column(point.x + half); ++c) {
 				const size_t cell = size_t(r) * _columns + c;

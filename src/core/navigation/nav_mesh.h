@@ -45,6 +45,8 @@ struct NavPoint {
 };
 
 class CornerGraph;
+class CornerPolygons;
+class Corners;
 class HashIndex;
 struct NavGap;
 
@@ -59,9 +61,10 @@ public:
 			const NavMeshOptions &options = {});
 
 	size_t polygon_count() const { return _first_corner.empty() ? 0 : _first_corner.size() - 1; }
-	// Where polygons have corners and gaps end, each place once.
+	// Where polygons have corners and gaps end, each place once; the first are the corners at which walks bend (Corners).
 	size_t point_count() const { return _points.size(); }
 	glm::vec3 point(uint32_t index) const { return _points[index]; }
+	std::span<const glm::vec3> points() const { return _points; }
 	// Counter-clockwise seen from above.
 	auto corners(uint32_t polygon) const {
 		return std::span(_corners).subspan(_first_corner[polygon], _first_corner[polygon + 1] - _first_corner[polygon]) |
@@ -73,7 +76,7 @@ public:
 	float cost(uint32_t polygon) const { return _costs[polygon]; }
 	float least_cost() const { return _least_cost; }
 	// Two polygons are connected if and only if their components are equal.
-	uint32_t component(uint32_t polygon) const { return _components[polygon]; }
+	uint32_t component(uint32_t polygon) const;
 	size_t component_count() const { return _component_areas.size(); }
 	double component_area(uint32_t component) const { return _component_areas[component]; } // square metres
 
@@ -89,6 +92,7 @@ private:
 	uint32_t add_point(glm::vec3 point, HashIndex &known);
 	void add_polygon(const NavRegion &region, size_t index, HashIndex &known, std::vector<uint32_t> &corner_names);
 	void set_links(std::vector<NavGap> gaps, HashIndex &known);
+	Corners find_corners(const NavMeshOptions &options, CornerPolygons &polygons); // numbers points anew
 	void find_components();
 	void fill_grid();
 	uint32_t column(float x) const;
@@ -101,7 +105,11 @@ private:
 	float _least_cost = 1.0f;
 	std::vector<NavLink> _links; // by source
 	std::vector<uint32_t> _first_link; // one more than polygons
-	std::vector<uint32_t> _components;
+	uint32_t _main_component = 0; // of most polygons
+	struct Island {
+		uint32_t polygon, component;
+	};
+	std::vector<Island> _islands; // all other polygons, sorted
 	std::vector<double> _component_areas;
 	std::shared_ptr<const CornerGraph> _corner_graph;
 

@@ -57,6 +57,7 @@ NavMeshPaths::NavMeshPaths(const CityModel &city, const NavMesh &mesh, float rea
 void NavMeshPaths::prepare() {
 	_pool.clear(); // finders know the ground that was
 	_stops.clear();
+	_stops.reserve(_city.entrances().size());
 	for (const Entrance &entrance : _city.entrances()) {
 		_stops.push_back(entrance.is_removed ? Stop() : stop_at(entrance.position));
 	}

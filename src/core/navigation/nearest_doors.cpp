@@ -55,9 +55,10 @@ void NearestDoors::search(Sight &sight) {
 		if (entry.estimate > here.cost) {
 			continue; // a nearer one was found in the meantime
 		}
-		for (const SeenCorner &next : _mesh->corner_graph().walks(entry.node)) {
-			reach(next.corner, { here.cost + next.cost, here.door });
-		}
+		const glm::vec3 place = _mesh->point(entry.node);
+		_mesh->corner_graph().walks().for_walks(entry.node, [&](uint32_t there, float ground) {
+			reach(there, { here.cost + ground * glm::distance(place, _mesh->point(there)), here.door });
+		});
 	}
 }
 

@@ -15,12 +15,14 @@ public:
 		uint32_t node;
 	};
 
-	bool is_empty() const { return _entries.empty(); }
-	void clear() { _entries.clear(); }
+	bool is_empty() const { return _count == 0; }
+	void clear() { _count = 0; }
 
 	void push(Entry entry) {
-		size_t hole = _entries.size();
-		_entries.push_back(entry);
+		if (_count == _entries.size()) {
+			grow();
+		}
+		size_t hole = _count++;
 		while (hole > 0 && entry.estimate < _entries[(hole - 1) / 4].estimate) {
 			_entries[hole] = _entries[(hole - 1) / 4];
 			hole = (hole - 1) / 4;
@@ -29,9 +31,8 @@ public:
 	}
 
 	Entry pop() {
-		const Entry first = _entries.front(), last = _entries.back();
-		_entries.pop_back();
-		const size_t count = _entries.size();
+		const size_t count = --_count;
+		const Entry first = _entries[0], last = _entries[count];
 		size_t hole = 0;
 		for (size_t child = 1; child < count; child = 4 * hole + 1) {
 			const size_t end = child + 4 < count ? child + 4 : count;
@@ -52,7 +53,10 @@ public:
 	}
 
 private:
-	std::vector<Entry> _entries;
+	void grow() { _entries.resize(2 * _entries.size() + 64); }
+
+	std::vector<Entry> _entries; // the first `_count` count
+	size_t _count = 0;
 };
 
 } // namespace pcg

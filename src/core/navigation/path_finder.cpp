@@ -62,7 +62,8 @@ void PathFinder::pass_gaps(const NavPoint &from, const NavPoint &to) {
 	add_point(to.position);
 }
 
-void PathFinder::start() {
+void PathFinder::start(glm::vec3 goal) {
+	_goal_position = goal;
 	_nodes.resize(_graph->corners().count());
 	_open.clear();
 	if (++_search == 0) { // the counter came round: forget what bears old numbers
@@ -78,7 +79,7 @@ uint32_t PathFinder::search(const NavPoint &from, const NavPoint &to) {
 	if (_goal_cost <= _mesh->least_cost() * glm::distance(from.position, to.position)) {
 		return last;
 	}
-	start();
+	start(to.position);
 	const std::span<const SeenCorner> before_goal = _sight.look(to);
 	_goal = _graph->goal(before_goal);
 	for (const SeenCorner &seen : before_goal) {
@@ -86,7 +87,12 @@ uint32_t PathFinder::search(const NavPoint &from, const NavPoint &to) {
 		_nodes[seen.corner].goal_cost = seen.cost;
 	}
 	for (const SeenCorner &seen : _sight.look(from)) {
-		reach(seen.corner, seen.cost, no_corner, to.position);
+		Node &node = _nodes[seen.corner];
+		node.cost = seen.cost;
+		node.estimate = estimate(seen.corner);
+		node.previous = no_corner;
+		node.search = _search;
+		_open.push({ node.cost + node.estimate, seen.corner });
 	}
 	while (!_open.is_empty()) {
 		const OpenList::Entry open = _open.pop();
@@ -94,34 +100,46 @@ uint32_t PathFinder::search(const NavPoint &from, const NavPoint &to) {
 			break;
 		}
 		Node &node = _nodes[open.node];
-		if (node.is_closed) {
+		const float cost = node.cost;
+		if (cost == closed) {
 			continue; // a better way here was found in the meantime
 		}
-		node.is_closed = true;
-		if (node.goal_search == _search && node.cost + node.goal_cost < _goal_cost) {
-			_goal_cost = node.cost + node.goal_cost;
+		node.cost = closed;
+		if (node.goal_search == _search && cost + node.goal_cost < _goal_cost) {
+			_goal_cost = cost + node.goal_cost;
 			last = open.node;
 		}
-		for (const SeenCorner &next : _graph->walks(open.node)) {
-			reach(next.corner, node.cost + next.cost, open.node, to.position);
-		}
+		walk_on(open.node, cost);
 	}
 	return last;
 }
 
-void PathFinder::reach(uint32_t corner, float cost, uint32_t previous, glm::vec3 goal) {
-	Node &node = _nodes[corner];
-	if (node.search != _search) {
-		const float crow = _mesh->least_cost() * glm::distance(_graph->corners().position(corner), goal);
-		node.estimate = haste * std::max(crow, _graph->estimate(corner, _goal));
-		node.search = _search;
-		node.is_closed = false;
-	} else if (node.is_closed || node.cost <= cost) {
-		return;
-	}
-	node.cost = cost;
-	node.previous = previous;
-	_open.push({ cost + node.estimate, corner });
+float PathFinder::estimate(uint32_t corner) const {
+	const float crow = _mesh->least_cost() * glm::distance(_mesh->point(corner), _goal_position);
+	return haste * std::max(crow, _graph->estimate(corner, _goal));
+}
+
+void PathFinder::walk_on(uint32_t corner, float cost) {
+	const glm::vec3 here = _mesh->point(corner);
+	Node *const nodes = _nodes.data();
+	const uint32_t search = _search;
+	_graph->walks().for_walks(corner, [&](uint32_t there, float ground) {
+		Node &next = nodes[there];
+		const bool is_new = next.search != search;
+		if (!is_new && next.cost <= cost) {
+			return; // the walk's own cost need not be known
+		}
+		const float cost_there = cost + ground * glm::distance(here, _mesh->point(there));
+		if (is_new) {
+			next.search = search;
+			next.estimate = estimate(there);
+		} else if (next.cost <= cost_there) {
+			return;
+		}
+		next.cost = cost_there;
+		next.previous = corner;
+		_open.push({ cost_there + next.estimate, there });
+	});
 }
 
 void PathFinder::collect(glm::vec3 from, uint32_t last_corner, glm::vec3 to) {
@@ -131,7 +149,7 @@ void PathFinder::collect(glm::vec3 from, uint32_t last_corner, glm::vec3 to) {
 	}
 	add_point(from);
 	for (size_t i = _bends.size(); i-- > 0;) {
-		add_point(_graph->corners().position(_bends[i]));
+		add_point(_mesh->point(_bends[i]));
 	}
 	add_point(to);
 	if (_points.size() == 1) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -10,7 +11,7 @@
 #include "core/navigation/sight.h"
 
 // Shortest walks on a NavMesh: A* over its corners, led by landmarks. They cost at most 1 % more than the cheapest walk that changes the kind of ground
-// at corners only. The memory of a search is kept for the next one, so use one finder for each thread. The mesh must outlive it.
+// at corners only, and in theory a unit of CornerGraph's estimates for each bend (5 cm for 300 lots). The memory of a search is kept for the next one, so use one finder for each thread. The mesh must outlive it.
 namespace pcg {
 
 class PathFinder {
@@ -32,13 +33,16 @@ private:
 		uint32_t search = 0; // the node counts only if this is the number of the running search
 		uint32_t goal_search = 0; // the same for `goal_cost`
 		float goal_cost = 0.0f; // of the straight walk to the goal
-		bool is_closed = false; // walks go on from here
 	};
 
 	void pass_gaps(const NavPoint &from, const NavPoint &to);
-	void start();
+	void start(glm::vec3 goal);
 	uint32_t search(const NavPoint &from, const NavPoint &to);
-	void reach(uint32_t corner, float cost, uint32_t previous, glm::vec3 goal);
+	// Costs a node from which walks have gone on: no other way there is of use.
+	static constexpr float closed = -std::numeric_limits<float>::infinity();
+
+	float estimate(uint32_t corner) const;
+	void walk_on(uint32_t corner, float cost);
 	void collect(glm::vec3 from, uint32_t last_corner, glm::vec3 to);
 	void add_point(glm::vec3 point);
 
@@ -48,6 +52,7 @@ private:
 	std::vector<Node> _nodes; // by corner
 	OpenList _open;
 	uint32_t _search = 0;
+	glm::vec3 _goal_position{ 0.0f };
 	CornerGraph::Goal _goal{};
 	float _goal_cost = 0.0f; // of the best walk so far
 	std::vector<uint32_t> _bends; // corners, from the goal back

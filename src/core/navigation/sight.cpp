@@ -36,7 +36,7 @@ std::span<const SeenCorner> Sight::look(const NavPoint &from) {
 }
 
 std::span<const SeenCorner> Sight::look(uint32_t corner, std::span<const uint32_t> polygons) {
-	begin(_corners->position(corner), corner);
+	begin(_mesh->point(corner), corner);
 	_starts.assign(polygons.begin(), polygons.end());
 	spread();
 	return _seen;
@@ -64,7 +64,7 @@ PlanBox Sight::extent() const {
 		box.add(_mesh->point(_mesh->links()[cone.link].right));
 	}
 	for (const SeenCorner &seen : _seen) {
-		box.add(_corners->position(seen.corner));
+		box.add(_mesh->point(seen.corner));
 	}
 	return box;
 }
@@ -154,7 +154,7 @@ bool Sight::is_needless(Ray left, Ray right) const {
 		const Ray aim = ray_to(_aim);
 		return turn(left, aim) > slack_of(aim) || turn(right, aim) < -slack_of(aim);
 	}
-	const auto is_bend = [this](Ray ray) { return _corners->is_bend(_root_corner, { _root.x + ray.x, 0.0f, _root.z + ray.z }); };
+	const auto is_bend = [this](Ray ray) { return _corners->is_bend(_root_corner, { -ray.x, 0.0f, -ray.z }); };
 	return _root_corner != no_corner && !is_bend(left) && !is_bend(right);
 }
 
@@ -175,11 +175,11 @@ void Sight::see(uint32_t corner) {
 	if (corner == no_corner || corner == _root_corner || _has_aim) {
 		return;
 	}
-	const glm::vec3 position = _corners->position(corner);
+	const glm::vec3 position = _mesh->point(corner);
 	Place &place = _places[corner];
 	if (place.look != _look) {
 		place = { _look, not_seen };
-		if (_corners->is_bend(corner, _root) && (_root_corner == no_corner || _corners->is_bend(_root_corner, position))) {
+		if (_corners->is_bend(corner, position - _root) && (_root_corner == no_corner || _corners->is_bend(_root_corner, _root - position))) {
 			place.seen = uint32_t(_seen.size());
 			_seen.push_back({ corner, _ground * glm::distance(_root, position) });
 		}

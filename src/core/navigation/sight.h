@@ -19,6 +19,8 @@ struct SeenCorner {
 	float cost = 0.0f; // of the straight walk there
 };
 
+using CornerWalks = std::vector<std::vector<SeenCorner>>; // by the corner that they begin at
+
 class Sight {
 public:
 	Sight(const NavMesh &mesh, const Corners &corners) : _mesh(&mesh), _corners(&corners), _places(corners.count()), _entries(mesh.polygon_count()) {}

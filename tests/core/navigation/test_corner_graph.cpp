@@ -18,10 +18,10 @@ TEST_CASE("open ground has no corners, a wall in it has those of its outline") {
 	const Corners &corners = mesh.corner_graph().corners();
 	REQUIRE(corners.count() == 4);
 	for (uint32_t corner = 0; corner < 4; ++corner) {
-		const glm::vec3 p = corners.position(corner);
+		const glm::vec3 p = mesh.point(corner);
 		CHECK((p.x == 3.0f || p.x == 5.0f));
 		CHECK((p.z == 3.0f || p.z == 4.0f));
-		CHECK(mesh.corner_graph().walks(corner).size() == 2); // along the walls
+		CHECK(mesh.corner_graph().walks().of(mesh.points(), corner).size() == 2); // along the walls
 	}
 }
 
@@ -32,12 +32,12 @@ TEST_CASE("walks between corners lead both ways and stay on free ground") {
 		const NavMesh mesh = world.mesh();
 		const CornerGraph &graph = mesh.corner_graph();
 		for (uint32_t corner = 0; corner < graph.corners().count(); ++corner) {
-			const glm::vec3 here = graph.corners().position(corner);
-			for (const SeenCorner &walk : graph.walks(corner)) {
-				const glm::vec3 there = graph.corners().position(walk.corner);
+			const glm::vec3 here = mesh.point(corner);
+			for (const SeenCorner &walk : graph.walks().of(mesh.points(), corner)) {
+				const glm::vec3 there = mesh.point(walk.corner);
 				CHECK(world.is_visible(here, there));
 				CHECK(walk.cost == doctest::Approx(glm::distance(here, there)));
-				const auto back = graph.walks(walk.corner);
+				const auto back = graph.walks().of(mesh.points(), walk.corner);
 				CHECK(std::ranges::any_of(back, [&](const SeenCorner &seen) { return seen.corner == corner && seen.cost == walk.cost; }));
 			}
 		}
@@ -58,15 +58,15 @@ TEST_CASE("estimates are never more than the walk") {
 			const glm::vec3 to = world.random_place(random);
 			const CornerGraph::Goal goal = graph.goal(sight.look(mesh.nearest(to, 1)));
 			for (uint32_t corner = uint32_t(i); corner < graph.corners().count(); corner += 7) {
-				const glm::vec3 here = graph.corners().position(corner);
+				const glm::vec3 here = mesh.point(corner);
 				const double walk = world.shortest(here, to);
 				if (!std::isfinite(walk) || world.is_visible(here, to)) {
 					continue;
 				}
 				// A walk that is not the shortest to begin with may come by the corner the wrong way round: only those that bend there count.
-				const auto first = graph.walks(corner);
+				const auto first = graph.walks().of(mesh.points(), corner);
 				const bool goes_on = std::ranges::any_of(first, [&](const SeenCorner &next) {
-					return walk >= double(next.cost) + world.shortest(graph.corners().position(next.corner), to) - 1e-3;
+					return walk >= double(next.cost) + world.shortest(mesh.point(next.corner), to) - 1e-3;
 				});
 				if (goes_on) {
 					CHECK(graph.estimate(corner, goal) <= walk * 1.001);
@@ -93,8 +93,8 @@ TEST_CASE("along a straight street corners lead to the next ones only") {
 	REQUIRE(graph.corners().count() > 70);
 	for (uint32_t corner = 0; corner < graph.corners().count(); ++corner) {
 		size_t on_this_side = 0;
-		for (const SeenCorner &walk : graph.walks(corner)) {
-			on_this_side += graph.corners().position(walk.corner).z == graph.corners().position(corner).z;
+		for (const SeenCorner &walk : graph.walks().of(mesh.points(), corner)) {
+			on_this_side += mesh.point(walk.corner).z == mesh.point(corner).z;
 		}
 		CHECK(on_this_side <= 2);
 	}

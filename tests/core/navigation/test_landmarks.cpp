@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -17,11 +18,28 @@ TEST_CASE("landmarks lie far apart") {
 	}
 	const NavMesh mesh = world.mesh();
 	CornerPolygons polygons;
-	const Corners corners(mesh, 0.25f, polygons);
+	std::vector<uint32_t> order;
+	const Corners corners(mesh, 0.25f, polygons, order);
 	const std::vector<uint32_t> landmarks = choose_landmarks(mesh, corners, polygons, 2);
 	REQUIRE(landmarks.size() == 2);
-	CHECK(std::abs(corners.position(landmarks[0]).x - corners.position(landmarks[1]).x) > 12.0f);
+	CHECK(std::abs(mesh.point(landmarks[0]).x - mesh.point(landmarks[1]).x) > 12.0f);
 }
+
+namespace {
+
+// In whole units, of which a metre has so many.
+CornerWalks walks_of(const NavMesh &mesh, float units) {
+	CornerWalks walks;
+	for (uint32_t corner = 0; corner < mesh.corner_graph().corners().count(); ++corner) {
+		walks.push_back(mesh.corner_graph().walks().of(mesh.points(), corner));
+		for (SeenCorner &walk : walks.back()) {
+			walk.cost = std::floor(walk.cost * units);
+		}
+	}
+	return walks;
+}
+
+} // namespace
 
 TEST_CASE("costs that are repaired after squares were blocked and freed are those of a new search, to the bit") {
 	size_t compared = 0;
@@ -34,29 +52,52 @@ TEST_CASE("costs that are repaired after squares were blocked and freed are thos
 			world.set_free(int(random.index(16)), int(random.index(14)), i == 0);
 		}
 		const NavMesh after = world.mesh();
-		const CornerGraph &old_graph = before.corner_graph(), &graph = after.corner_graph();
-		const auto find = [](const CornerGraph &in, glm::vec3 position) {
+		const auto find = [&](glm::vec3 position) {
 			uint32_t corner = 0;
-			while (corner < in.corners().count() && in.corners().position(corner) != position) {
+			while (corner < before.corner_graph().corners().count() && before.point(corner) != position) {
 				++corner;
 			}
 			return corner;
 		};
-		const uint32_t from = 0, old_from = find(old_graph, graph.corners().position(from));
-		if (old_from == old_graph.corners().count()) {
+		const uint32_t from = 0, old_from = find(after.point(from));
+		if (old_from == before.corner_graph().corners().count()) {
 			continue;
 		}
-		const std::vector<float> old_costs = walk_costs(old_graph, old_from);
+		const float units = seed % 2 == 0 ? 32.0f : 0.4f; // many walks cost nothing
+		const CornerWalks walks = walks_of(after, units);
+		const std::vector<float> old_costs = walk_costs(walks_of(before, units), old_from);
 		std::vector<float> costs;
-		for (uint32_t corner = 0; corner < graph.corners().count(); ++corner) {
-			const uint32_t old_corner = find(old_graph, graph.corners().position(corner));
+		for (uint32_t corner = 0; corner < walks.size(); ++corner) {
+			const uint32_t old_corner = find(after.point(corner));
 			costs.push_back(old_corner < old_costs.size() ? old_costs[old_corner] : INFINITY);
 		}
 		std::vector<uint32_t> all(costs.size());
 		std::iota(all.begin(), all.end(), 0);
-		repair_walk_costs(graph, from, all, costs);
-		CHECK(costs == walk_costs(graph, from));
+		repair_walk_costs(walks, from, all, costs);
+		CHECK(costs == walk_costs(walks, from));
 		++compared;
 	}
 	CHECK(compared > 10);
+}
+
+TEST_CASE("costs to all corners are those of the cheapest walks") {
+	for (uint64_t seed = 0; seed < 10; ++seed) {
+		CAPTURE(seed);
+		const NavMesh mesh = GridWorld(16, 14, 0.25, seed).mesh();
+		CornerWalks walks;
+		for (uint32_t corner = 0; corner < mesh.corner_graph().corners().count(); ++corner) {
+			walks.push_back(mesh.corner_graph().walks().of(mesh.points(), corner));
+		}
+		REQUIRE(walks.size() > 20);
+		std::vector<float> slow(walks.size(), INFINITY);
+		slow[7] = 0.0f;
+		for (size_t round = 0; round < walks.size(); ++round) {
+			for (uint32_t corner = 0; corner < walks.size(); ++corner) {
+				for (const SeenCorner &walk : walks[corner]) {
+					slow[walk.corner] = std::min(slow[walk.corner], slow[corner] + walk.cost);
+				}
+			}
+		}
+		CHECK(walk_costs(walks, 7) == slow);
+	}
 }

@@ -148,12 +148,12 @@ TEST_CASE("after a region was replaced walks are as short as on a ground that is
 		const CornerGraph &graph = mesh.corner_graph();
 		REQUIRE(graph.corners().count() == fresh.corner_graph().corners().count());
 		for (uint32_t corner = 0; corner < graph.corners().count(); ++corner) {
-			for (const SeenCorner &walk : graph.walks(corner)) {
-				const auto back = graph.walks(walk.corner);
+			for (const SeenCorner &walk : graph.walks().of(mesh.points(), corner)) {
+				const auto back = graph.walks().of(mesh.points(), walk.corner);
 				REQUIRE(std::ranges::any_of(back, [&](const SeenCorner &seen) { return seen.corner == corner && seen.cost == walk.cost; }));
 			}
-			const auto theirs = fresh.corner_graph().walks(corner);
-			inherited += std::ranges::equal(graph.walks(corner), theirs, [](const SeenCorner &a, const SeenCorner &b) { return a.corner == b.corner && a.cost == b.cost; });
+			const auto theirs = fresh.corner_graph().walks().of(fresh.points(), corner);
+			inherited += std::ranges::equal(graph.walks().of(mesh.points(), corner), theirs, [](const SeenCorner &a, const SeenCorner &b) { return a.corner == b.corner && a.cost == b.cost; });
 		}
 		PathFinder after(mesh), anew(fresh);
 		for (int i = 0; i < 30; ++i) {
@@ -163,6 +163,32 @@ TEST_CASE("after a region was replaced walks are as short as on a ground that is
 		}
 	}
 	CHECK(inherited > 1000);
+}
+
+TEST_CASE("where ways are longer than landmarks have numbers for they are as short as ever, after edits, too") {
+	// One way to and fro, 420 m long in 29 m by 29 m.
+	GridWorld world(29, 29, 0.0, 1);
+	for (int z = 1; z < 29; z += 2) {
+		for (int x = 0; x < 29; ++x) {
+			world.set_free(x, z, x == (z % 4 == 1 ? 28 : 0));
+		}
+	}
+	NavMesh mesh = world.mesh();
+	for (const bool is_open : { false, true, false }) {
+		PathFinder finder(mesh);
+		for (const glm::vec3 from : { glm::vec3(0.5f, 0, 0.5f), glm::vec3(20.5f, 0, 8.5f) }) {
+			const glm::vec3 to(28.5f, 0, 28.5f);
+			REQUIRE(finder.find(mesh.nearest(from, 1), mesh.nearest(to, 1)));
+			CHECK(finder.length() <= world.shortest(from, to) * 1.01 + 0.001);
+			CHECK((is_open || finder.length() > 280.0));
+		}
+		world.set_free(14, 15, !is_open);
+		PlanBox changed;
+		changed.add({ 14, 0, 15 });
+		changed.add({ 15, 0, 16 });
+		const NavRegion region = world.region(0, 29);
+		mesh = NavMesh::rebuild(mesh, { &changed, 1 }, { &region, 1 });
+	}
 }
 
 TEST_CASE("where nothing of the ground before is left it is built anew") {

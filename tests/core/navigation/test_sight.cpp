@@ -56,14 +56,13 @@ TEST_CASE("the corners seen from a place are those at which a walk from there be
 		CAPTURE(seed);
 		const GridWorld world(14, 12, 0.25, seed);
 		const NavMesh mesh = world.mesh();
-		const Corners &corners = mesh.corner_graph().corners();
-		Sight sight(mesh, corners);
+		Sight sight(mesh, mesh.corner_graph().corners());
 		Random random(seed, 1);
 		for (int i = 0; i < 10; ++i) {
 			const glm::vec3 from = world.random_place(random);
 			std::vector<glm::vec3> seen;
 			for (const SeenCorner &corner : sight.look(mesh.nearest(from, 1))) {
-				seen.push_back(corners.position(corner.corner));
+				seen.push_back(mesh.point(corner.corner));
 				CHECK(corner.cost == doctest::Approx(glm::distance(from, seen.back())));
 			}
 			for (int x = 1; x < world.width(); ++x) {
