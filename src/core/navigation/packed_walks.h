@@ -9,7 +9,8 @@
 
 #include "core/navigation/sight.h"
 
-// The straight walks from all corners of a mesh, two bytes each and one more word a group: where they lead and on what ground. What they cost is worked out from that.
+// The straight walks from all corners of a mesh, two bytes each and one more word a group: where they lead and on what ground. What they cost is
+// worked out from that.
 // Walks of a corner lie in groups on one kind of ground each: a word of how many, whether they lead far off, and which ground; then for each walk how much
 // the number of the corner there is more than the number here, or its number in two words if that is far off.
 namespace pcg {
