@@ -182,6 +182,33 @@ func _take_gizmos() -> void:
 		await _look_at((nodes[0] as Node3D).global_position, picture[2])
 		await _wait(3)
 		_save(picture[0])
+	await _take_courtyard()
+
+
+# A lot with a courtyard: the only one of a footprint that is drawn with a hole.
+func _take_courtyard() -> void:
+	var city: PCGCity = authoring.context.city
+	var outline: Polygon2D = _draw(Rect2(300, 0, 40, 40))
+	outline.add_child(_draw(Rect2(310, 10, 20, 20)))
+	city.add_child(outline)
+	city.layout = PCGLayout.new()
+	city.layout.kind = PCGLayout.KIND_FOOTPRINTS
+	city.lot_types = city.lot_types.slice(0, 1)
+	city.use_street_rules = false
+	authoring.dock.city_tab.generate()
+	while city.is_generating():
+		await get_tree().process_frame
+	EditorInterface.edit_node(city.find_children("*", "PCGLot", true, false)[0])
+	await _look_at(Vector3(320, 0, 20), 60.0)
+	await _wait(3)
+	_save("gizmos_courtyard")
+
+
+static func _draw(rect: Rect2) -> Polygon2D:
+	var drawn := Polygon2D.new()
+	drawn.polygon = [rect.position, rect.position + Vector2(0, rect.size.y), rect.end, rect.position + Vector2(rect.size.x, 0)]
+	drawn.visible = false
+	return drawn
 
 
 func _show_dock(content: Control) -> void:

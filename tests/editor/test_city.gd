@@ -31,6 +31,18 @@ func test_generating_is_one_step_to_undo() -> void:
 	check_equal(city.get_statistics()["faces"], faces, "done again: the same city")
 
 
+func test_statistics_tell_times_with_their_unit() -> void:
+	var city: PCGCity = await _add_small_city()
+	_tab.generate()
+	await _generated(city)
+	var rows: Dictionary[String, TreeItem] = {}
+	for row: TreeItem in (_tab.get_node("%Statistics") as Tree).get_root().get_children():
+		rows[row.get_text(0)] = row
+	check_equal(rows["Lots"].get_text(1), str(city.get_statistics()["lots"]), "a number is a number")
+	for row: TreeItem in rows["Time"].get_children() + [rows["Longest Hold"]] as Array[TreeItem]:
+		check(row.get_text(1).ends_with("s") and row.get_text(1).to_float() >= 0.0, "a time has its unit: %s %s" % [row.get_text(0), row.get_text(1)])
+
+
 func test_the_dice_change_the_city_and_undo_brings_the_old_one_back() -> void:
 	var city: PCGCity = await _add_small_city()
 	_tab.generate()

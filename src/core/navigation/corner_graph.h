@@ -30,7 +30,7 @@ public:
 	CornerGraph(const NavMesh &mesh, const Corners &corners, const CornerPolygons &polygons, const NavMesh &before, std::span<const PlanBox> changed);
 
 	const Corners &corners() const { return _corners; }
-	// How many corners saw too much to look at all of it (Sight::is_cut_short()): there walks may be longer than they need be. 0 for the ground of cities.
+	// How many corners saw too much to look at all of it (Sight::is_cut_short()): there walks may be longer than they need be. 0 for most cities.
 	size_t cut_short_count() const;
 	// Both directions are there. Where a third corner lies all but on the line, the walk to it and the one from there stand for the long one.
 	const PackedWalks &walks() const { return _walks; }

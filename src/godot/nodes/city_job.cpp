@@ -96,8 +96,8 @@ bool CityJob::join() {
 	reach = reach_of_entrances(state->city.model, state->ground);
 	report_unreachable(state->city, reach, diagnostics);
 	if (const size_t count = state->ground.corner_graph().cut_short_count(); count > 0) {
-		diagnostics.warning("piled-ground", "walkable polygons lie on one another at " + std::to_string(count) + " corners of the ground: ways there may be longer "
-						"than they need be", "see that lots and what stands on them do not overlap");
+		diagnostics.warning("piled-ground", "too much to look at from " + std::to_string(count) + " corners of the ground: ways there may be longer than they "
+						"need be", "see that lots and what stands on them do not overlap; wide ground with very many trees and benches does it, too");
 	}
 	state->paths = std::make_unique<NavMeshPaths>(state->city.model, state->ground);
 	return !is_cancelled;

@@ -8,6 +8,7 @@ const CityStarter := preload("res://addons/pcg/editor/city/city_starter.gd")
 const LandUse := preload("res://addons/pcg/editor/city/land_use.gd")
 const RuleAttributes := preload("res://addons/pcg/editor/city/rule_attributes.gd")
 const HIGHEST_SEED := 999_999
+const FIGURE_TITLES: Dictionary[String, String] = {"seconds": "Time"} # where the name of a city's figure does not tell
 
 var context: SceneContext
 var history: CityHistory
@@ -237,14 +238,19 @@ func show_statistics() -> void:
 
 func _add_figure(tree: Tree, parent: TreeItem, figure: String, value: Variant) -> void:
 	var item: TreeItem = tree.create_item(parent)
-	item.set_text(0, figure.capitalize() if parent == tree.get_root() else figure)
+	item.set_text(0, FIGURE_TITLES.get(figure, figure.capitalize()) if parent == tree.get_root() else figure)
 	if value is Dictionary:
 		var values: Dictionary = value
 		for key: String in values:
 			_add_figure(tree, item, key, values[key])
 	else:
-		item.set_text(1, "%.2f" % value if value is float else str(value))
+		item.set_text(1, _tell_seconds(value) if value is float else str(value))
 		item.set_text_alignment(1, HORIZONTAL_ALIGNMENT_RIGHT)
+
+
+# All figures of a city that are not whole are times.
+static func _tell_seconds(seconds: float) -> String:
+	return "%.2f s" % seconds if seconds >= 1.0 else "%.0f ms" % (seconds * 1000.0)
 
 
 func _count_unreachable() -> int:

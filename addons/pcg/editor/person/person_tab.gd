@@ -152,7 +152,7 @@ func _fill_entries() -> void:
 				get_days_text(entry), entry.get("file", ""), entry.get("line", 0)]
 		var item: TreeItem = _list.create_item(root)
 		item.set_text(0, get_time_text(entry))
-		item.set_text(1, "%s %s%s" % [TaskColors.TITLES.get(entry["kind"], entry["kind"]), get_target_text(entry), _some_days_text(entry)])
+		item.set_text(1, ("%s %s" % [TaskColors.TITLES.get(entry["kind"], entry["kind"]), get_target_text(entry)]).strip_edges() + _some_days_text(entry))
 		item.set_custom_color(0, TaskColors.of_entry(entry, home).lerp(get_theme_color("font_color", "Editor"), 0.5)) # to be read on light ground, too
 		item.set_text(2, "%s line %d" % [entry.get("rule", ""), entry.get("line", 0)])
 		for column: int in 3:

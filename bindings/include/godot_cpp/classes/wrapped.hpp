@@ -45,8 +45,9 @@ public:
 	Wrapped(const Wrapped &) = delete;
 	Wrapped &operator=(const Wrapped &) = delete;
 
-	// Must be public, but is not for use outside the bindings.
+	// Must be public, but are not for use outside the bindings.
 	GodotObject *_owner = nullptr;
+	static constexpr auto _gde_bind_methods() { return &Wrapped::_bind_methods; }
 };
 
 namespace internal {
@@ -95,6 +96,7 @@ public:                                                                         
 	static const ::godot::StringName &get_parent_class_static() {                                                      \
 		return m_inherits::get_class_static();                                                                         \
 	}                                                                                                                  \
+	static constexpr auto _gde_bind_methods() { return &m_class::_bind_methods; }                                      \
 	static const ::godot::internal::ClassDescription *_gde_description() {                                             \
 		static const ::godot::internal::ClassDescription description = {                                               \
 		        &get_class_static(), &::godot::internal::ExtensionClassBinding::callbacks};                            \

@@ -85,8 +85,7 @@ class ClassDB {
 
 	template <class T> static void register_class_as(const RegisterOptions &p_options) {
 		static_assert(std::is_same_v<typename T::self_type, T>, "Class not declared properly, please use GDCLASS.");
-		static_assert(!std::is_same_v<std::integral_constant<void (*)(), &T::_bind_methods>,
-		                              std::integral_constant<void (*)(), &T::parent_type::_bind_methods>>,
+		static_assert(T::_gde_bind_methods() != T::parent_type::_gde_bind_methods(),
 		              "Class must declare 'static void _bind_methods'.");
 		GDExtensionClassCreationInfo5 info = internal::ClassHooks<T>::creation_info();
 		begin_class(T::get_class_static(), T::get_parent_class_static(), info, p_options);
