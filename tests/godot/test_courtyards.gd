@@ -131,6 +131,18 @@ func test_a_city_with_courtyards_is_saved_and_edited() -> void:
 	again.free()
 
 
+func test_a_lot_and_what_stands_in_its_courtyard_are_moved_whichever_was_drawn_first() -> void:
+	var city: PCGCity = _drawn()
+	city.move_child(city.get_node("Hut"), 0)
+	check(city.generate_now(), "it generates: %s" % [city.get_diagnostics()])
+	var distance: float = city.get_distance(0, 1)
+	for type: String in ["house", "hut"]:
+		_lot(city, type).position += Vector3(2, 0, 1)
+	await _wait_for_navigation(city)
+	check_near(city.get_distance(0, 1), distance, 0.05, "people walk from the ring to the hut as before")
+	city.free()
+
+
 func test_holes_of_a_map_are_courtyards() -> void:
 	var file := FileAccess.open(MAP, FileAccess.WRITE)
 	file.store_string(JSON.stringify({"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates": [

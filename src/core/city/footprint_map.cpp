@@ -211,7 +211,7 @@ uint32_t FootprintMap::around(uint32_t footprint) const {
 	double smallest = INFINITY;
 	for (const uint32_t i : _tiles[home_of(footprint)]) {
 		const double area = signed_area(_footprints[i].outline);
-		if (i == footprint || area >= smallest || !is_within(_boxes[footprint], _boxes[i])) {
+		if (area <= signed_area(inner) || area >= smallest || !is_within(_boxes[footprint], _boxes[i])) {
 			continue;
 		}
 		const auto has_it = [&](const Loop2 &hole) { return shared_area({ hole }, { inner }) > signed_area(inner) / 4.0; };

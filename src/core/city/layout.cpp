@@ -147,6 +147,14 @@ std::vector<std::vector<glm::vec3>> lots_within(const Layout &layout, LotId lot)
 	return outlines;
 }
 
+int lots_around(const Layout &layout, LotId lot) {
+	int count = 0;
+	for (LotId around = layout.lot(lot).around; is_valid(around) && count < int(layout.lots.size()); around = layout.lot(around).around) {
+		++count;
+	}
+	return count;
+}
+
 std::string lot_name(const Layout &layout, LotId lot) {
 	return "lot " + std::to_string(index_of(lot)) + " (" + layout.lot(lot).type + ")";
 }

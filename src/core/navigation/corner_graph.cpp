@@ -389,7 +389,7 @@ CornerGraph::Goal CornerGraph::goal(std::span<const SeenCorner> seen) const {
 		const auto units = int16_t(std::min(corner.cost / _unit, float(beyond))), room = int16_t(beyond - units);
 		for (size_t k = 0; k < landmark_count; ++k) {
 			goal.least[k] = std::min(goal.least[k], int16_t(std::min(far[k], room) + units - 1));
-			goal.most[k] = std::max(goal.most[k], int16_t(std::max(far[k], units) - units + 1));
+			goal.most[k] = std::max(goal.most[k], int16_t(std::min(std::max(far[k], units) - units + 1, int(beyond))));
 		}
 	}
 	return goal;

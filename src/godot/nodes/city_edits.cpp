@@ -1,6 +1,7 @@
 #include "godot/nodes/city_edits.h"
 
 #include <algorithm>
+#include <limits>
 
 #include <glm/geometric.hpp>
 
@@ -23,7 +24,7 @@ namespace pcg {
 namespace {
 
 constexpr float arm = 1e-3f; // metres; less is rounding between the frames of nodes
-enum PatchKind { Vacated, Moved, Obstacle };
+enum PatchKind { Vacated, Moved, Obstacle = std::numeric_limits<int>::max() }; // between the last two, lots that were moved and stand in courtyards
 
 template <typename T> T *node_of(uint64_t object) { return Object::cast_to<T>(ObjectDB::get_instance(object)); }
 
@@ -201,7 +202,15 @@ void CityEdits::remove_unclaimed() {
 	remove_of(Kind::Object, model.objects());
 }
 
+// From parent to parent: in the world, places far from its origin are rounded, and a city there would seem to be edited.
 Transform3D CityEdits::frame_of(const Node3D *node) const {
+	Transform3D frame;
+	for (const Node3D *part = node; part && !part->is_set_as_top_level() && !part->is_scale_disabled(); part = part->get_parent_node_3d()) {
+		frame = part->get_transform() * frame;
+		if (part->get_parent() == _city) {
+			return frame;
+		}
+	}
 	return _city->get_global_transform().affine_inverse() * node->get_global_transform();
 }
 
@@ -363,7 +372,7 @@ CityEdits::Patches CityEdits::patches() const {
 		for (const std::vector<glm::vec3> &piece : city.lots[index_of(place.lot)].free_ground) {
 			patch.pieces.push_back(placed(place.motion, piece));
 		}
-		result[{ Moved, object }] = std::move(patch);
+		result[{ Moved + lots_around(city.layout, place.lot), object }] = std::move(patch); // what stands in a courtyard lies over it
 	}
 	for (size_t i = 0; i < is_at_home.size(); ++i) {
 		if (!is_at_home[i]) {
@@ -376,14 +385,6 @@ CityEdits::Patches CityEdits::patches() const {
 		result[{ Obstacle, object }] = { footprint, {} };
 	}
 	return result;
-}
-
-void CityEdits::mark_overlaps() {
-	std::vector<CityOverlaps::PlacedLot> lots;
-	for (const auto &[object, place] : _lots) {
-		lots.push_back({ object, place.lot, place.motion });
-	}
-	_overlaps.mark(_state->city.layout, lots);
 }
 
 PCGLot *CityEdits::lot_node(LotId lot) const {

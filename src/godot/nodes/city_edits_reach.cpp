@@ -2,12 +2,13 @@
 
 #include <godot_cpp/core/object.hpp>
 
+#include "godot/nodes/city_builder.h"
 #include "godot/nodes/city_edits.h"
 #include "godot/nodes/pcg_entrance.h"
 
 using namespace godot;
 
-// What the ground says of doors, told to their nodes.
+// What the ground says of doors, and lots of each other, told to their nodes.
 namespace pcg {
 
 void CityEdits::mark_reach(std::span<const Reach> verdicts) const {
@@ -19,6 +20,14 @@ void CityEdits::mark_reach(std::span<const Reach> verdicts) const {
 			node->set_reachable(is_reachable);
 		}
 	}
+}
+
+void CityEdits::mark_overlaps() {
+	std::vector<CityOverlaps::PlacedLot> lots;
+	for (const auto &[object, place] : _lots) {
+		lots.push_back({ object, place.lot, place.motion });
+	}
+	_overlaps.mark(_state->city.layout, lots);
 }
 
 } // namespace pcg

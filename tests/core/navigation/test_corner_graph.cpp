@@ -99,3 +99,29 @@ TEST_CASE("along a straight street corners lead to the next ones only") {
 		CHECK(on_this_side <= 2);
 	}
 }
+
+TEST_CASE("landmarks on other ground say nothing of a walk that ends at a corner") {
+	// A maze that has all the landmarks, and 40 m beside it ground with one wall.
+	GridWorld beside(5, 5, 0.0, 1);
+	beside.set_free(2, 2, false);
+	NavRegion regions[] = { GridWorld(14, 12, 0.3, 1).region(0, 14), beside.region(0, 5) };
+	for (glm::vec3 &vertex : regions[1].vertices) {
+		vertex.x += 40.0f;
+	}
+	const NavMesh mesh = NavMesh::build(regions);
+	const CornerGraph &graph = mesh.corner_graph();
+	std::vector<uint32_t> corners;
+	for (uint32_t corner = 0; corner < graph.corners().count(); ++corner) {
+		if (mesh.point(corner).x > 30.0f) {
+			corners.push_back(corner);
+		}
+	}
+	REQUIRE(corners.size() == 4);
+	for (const uint32_t last : corners) {
+		const SeenCorner end{ last, 0.0f };
+		const CornerGraph::Goal goal = graph.goal({ &end, 1 });
+		for (const uint32_t corner : corners) {
+			CHECK(graph.estimate(corner, goal) <= glm::distance(mesh.point(corner), mesh.point(last)));
+		}
+	}
+}
