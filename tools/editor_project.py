@@ -2,6 +2,7 @@
 """Makes a project below build/ anew: a project with a copy of the addon and its rules, as somebody has who installed it, and a second plugin that
 runs tests/editor. Tests may change its files; the checkout stays as it is. And opens it on a screen in memory, where xvfb-run is."""
 
+import os
 import shutil
 import subprocess
 
@@ -61,6 +62,14 @@ def know_script_help(engine, project):
     subprocess.run([str(part) for part in command], check=False, capture_output=True, stdin=subprocess.DEVNULL)
 
 
+def know_engine_help(engine, project, home):
+    """In a home where the engine has never been, it writes down its own help first, and for as long as it runs then the pages of extensions are empty."""
+    if not list(home.glob("godot/cache/editor_doc_cache-*")):
+        command = [engine, "--headless", "--editor", "--no-header", "--path", project, "--quit-after", "300"]
+        folders = {name: str(home) for name in ("XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME")}
+        subprocess.run([str(part) for part in command], check=False, capture_output=True, stdin=subprocess.DEVNULL, env=os.environ | folders)
+
+
 def on_screen(engine, project, size="1280x800", scale="100", is_light=False):
     """Returns the command that opens a project in the editor on a screen in memory, and its environment: a home of its own with these settings."""
     home = project.with_name(project.name + "_home")
@@ -68,6 +77,7 @@ def on_screen(engine, project, size="1280x800", scale="100", is_light=False):
     settings.parent.mkdir(parents=True, exist_ok=True)
     settings.write_text(EDITOR_SETTINGS.format(scale=SCALES[scale], preset="Light" if is_light else "Default"))
     know_script_help(engine, project)
+    know_engine_help(engine, project, home)
     command = ["xvfb-run", "-a", "-s", f"-screen 0 {size}x24", engine, "--editor", "--no-header", "--path", project,
                "--rendering-driver", "opengl3", "--audio-driver", "Dummy", "--resolution", size]
     return command, {f"XDG_{kind}_HOME": str(home) for kind in ("DATA", "CONFIG", "CACHE")}
