@@ -17,9 +17,9 @@ constexpr float detour = 1.0001f;
 constexpr size_t batch = 256; // corners that a thread looks out of at a time
 constexpr float near = 1.0f; // metres between a change and what a corner sees that may have something to do with it
 
-// All looks of a batch together: on the ground of cities they take less than half of it, but 79 parks side by side want 4 to 16 times the bound. Once it is
-// used up, only a little is looked at out of each corner.
-constexpr size_t cones_of_batch = batch << 8;
+// All looks of a batch together, by corner 128. Where polygons are piled on one another nearly all cones overlap, on plain ground next to none. Once the bound
+// is used up, only a little is looked at out of each corner.
+constexpr size_t overlapping_of_batch = batch << 7;
 constexpr size_t cones_of_late_look = 32;
 
 // Looks out of some corners, one after the other, within the bounds above.
@@ -28,9 +28,9 @@ public:
 	Lookout(const NavMesh &mesh, const Corners &corners, const CornerPolygons &polygons) : _sight(mesh, corners), _polygons(polygons) {}
 
 	std::span<const SeenCorner> look(uint32_t corner) {
-		_sight.limit(_used < cones_of_batch ? Sight::most_cones : cones_of_late_look);
+		_sight.limit(_overlapping < overlapping_of_batch ? Sight::most_cones : cones_of_late_look);
 		const std::span<const SeenCorner> seen = _sight.look(corner, _polygons.of(corner));
-		_used += _sight.cone_count();
+		_overlapping += _sight.overlapping_count();
 		return seen;
 	}
 	const Sight &sight() const { return _sight; }
@@ -38,7 +38,7 @@ public:
 private:
 	Sight _sight;
 	const CornerPolygons &_polygons;
-	size_t _used = 0;
+	size_t _overlapping = 0; // cones
 };
 
 bool is_before(const SeenCorner &a, const SeenCorner &b) { return a.corner < b.corner; }

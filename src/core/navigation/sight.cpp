@@ -19,6 +19,7 @@ void Sight::begin(glm::vec3 root, uint32_t corner) {
 	_root = root;
 	_root_corner = corner;
 	_cones.clear();
+	_overlapping = 0;
 	_seen.clear();
 	if (++_look == 0) { // the counter came round
 		std::fill(_places.begin(), _places.end(), Place());
@@ -144,6 +145,7 @@ void Sight::enter(uint32_t source, uint32_t link, Ray left, Ray right) {
 	}
 	Entry &entry = _entries[polygon];
 	const uint32_t earlier = entry.look == _look ? entry.last : no_cone;
+	_overlapping += earlier != no_cone && overlap(_cones[earlier], left, right);
 	entry = { _look, uint32_t(_cones.size()) };
 	_cones.push_back({ polygon, link, source, earlier, left, right });
 }

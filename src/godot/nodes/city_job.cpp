@@ -97,7 +97,7 @@ bool CityJob::join() {
 	report_unreachable(state->city, reach, diagnostics);
 	if (const size_t count = state->ground.corner_graph().cut_short_count(); count > 0) {
 		diagnostics.warning("piled-ground", "too much to look at from " + std::to_string(count) + " corners of the ground: ways there may be longer than they "
-						"need be", "see that lots and what stands on them do not overlap; wide ground with very many trees and benches does it, too");
+						"need be", "see that lots and what stands on them do not overlap; thousands of trees and benches on open ground do it, too");
 	}
 	state->paths = std::make_unique<NavMeshPaths>(state->city.model, state->ground);
 	return !is_cancelled;

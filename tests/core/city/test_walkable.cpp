@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/city/footprint_layout.h"
 #include "core/city/free_ground.h"
 #include "core/city/walkable.h"
 #include "core/navigation/nav_mesh_paths.h"
@@ -173,4 +174,19 @@ TEST_CASE("many entrances that cannot be reached are one warning that counts the
 	for (const char *left_out : { "lot 1 ", "lot 3 ", "lot 7 ", "lot 8 " }) {
 		CHECK_MESSAGE(message.find(left_out) == std::string::npos, left_out);
 	}
+}
+
+TEST_CASE("around 196 houses that stand free every corner is looked out of to the end") {
+	std::vector<Footprint> houses;
+	for (int i = 0; i < 196; ++i) {
+		const double x = 60.0 * (i % 14), y = 60.0 * (i / 14);
+		houses.emplace_back().outline = { { x, y }, { x + 20, y }, { x + 20, y + 20 }, { x, y + 20 } };
+	}
+	Diagnostics diagnostics;
+	City city;
+	city.layout = *layout_of_footprints(houses, LayoutParameters(), diagnostics);
+	city.lots.resize(houses.size());
+	const NavMesh mesh = city_nav_mesh(city);
+	CHECK(mesh.corner_graph().corners().count() >= 4 * houses.size());
+	CHECK(mesh.corner_graph().cut_short_count() == 0);
 }

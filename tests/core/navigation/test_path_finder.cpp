@@ -145,7 +145,7 @@ TEST_CASE("a finder can be used many times over with the same answers") {
 TEST_CASE("on polygons that are piled on one another sight ends early, and ways are found all the same") {
 	Random random(1);
 	std::vector<NavRegion> pile;
-	for (int i = 0; i < 170; ++i) {
+	for (int i = 0; i < 400; ++i) {
 		const float x = float(random.uniform(0.0, 12.0)), z = float(random.uniform(0.0, 12.0));
 		const float width = float(random.uniform(1.0, 6.0)), depth = float(random.uniform(1.0, 6.0));
 		NavRegion &region = pile.emplace_back();
