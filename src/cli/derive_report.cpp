@@ -96,7 +96,7 @@ json materials_json(const cga::DerivationResult &model) {
 
 // Of the lot's mesh and its instances.
 struct Figures {
-	size_t faces = 0, vertices = 0;
+	size_t faces = 0;
 	double surface = 0.0;
 	glm::vec3 low{ INFINITY }, high{ -INFINITY };
 
@@ -111,12 +111,11 @@ struct Figures {
 			}
 		}
 	}
-	json bounds() const { return vertices == 0 ? json() : json{ to_json(low), to_json(high) }; }
+	json bounds() const { return faces == 0 ? json() : json{ to_json(low), to_json(high) }; }
 
 private:
 	void add(const Mesh &mesh) {
 		faces += mesh.faces.size();
-		vertices += mesh.positions.size();
 		surface += area(mesh);
 		for (const glm::vec3 &point : mesh.positions) {
 			low = glm::min(low, point);
@@ -130,7 +129,7 @@ json shapes_json(const DeriveOutcome &outcome) {
 	for (size_t i = 0; i < outcome.models.size(); ++i) {
 		const cga::DerivationResult &model = outcome.models[i];
 		const Figures figures(model);
-		list.push_back({ { "name", outcome.names[i] }, { "faces", figures.faces }, { "vertices", figures.vertices }, { "area", figures.surface },
+		list.push_back({ { "name", outcome.names[i] }, { "faces", figures.faces }, { "vertices", model.vertex_count }, { "area", figures.surface },
 				{ "bbox", figures.bounds() }, { "reports", reports_json(model) } });
 	}
 	return list;
@@ -201,6 +200,7 @@ cga::DerivationResult sum_of(std::span<const cga::DerivationResult> models) {
 		sum.shape_count += model.shape_count;
 		sum.leaf_count += model.leaf_count;
 		sum.face_count += model.face_count;
+		sum.vertex_count += model.vertex_count;
 	}
 	return sum;
 }
@@ -208,7 +208,7 @@ cga::DerivationResult sum_of(std::span<const cga::DerivationResult> models) {
 std::string report_json(const DeriveOutcome &outcome, const Diagnostics &diagnostics) {
 	const cga::DerivationResult &model = outcome.sum;
 	const Figures figures(model);
-	const json document = { { "faces", figures.faces }, { "vertices", figures.vertices }, { "area", figures.surface }, { "bbox", figures.bounds() }, { "shapes", model.shape_count }, { "leaves", model.leaf_count }, { "materials", materials_json(model) },
+	const json document = { { "faces", figures.faces }, { "vertices", model.vertex_count }, { "area", figures.surface }, { "bbox", figures.bounds() }, { "shapes", model.shape_count }, { "leaves", model.leaf_count }, { "materials", materials_json(model) },
 		{ "reports", reports_json(model) }, { "prints", model.prints }, { "entrances", entrances_json(model) }, { "zones", zones_json(model) },
 		{ "objects", objects_json(model) }, { "initial_shapes", shapes_json(outcome) }, { "diagnostics", diagnostics_json(diagnostics) },
 		{ "seconds", outcome.seconds } };

@@ -83,6 +83,18 @@ class CommandLine(unittest.TestCase):
             self.pcg("derive", "house.cga", "--shape", "two.obj", "--threads", threads, "--out", f"{threads}.glb")
         self.assertEqual((self.folder / "1.glb").read_bytes(), (self.folder / "4.glb").read_bytes())
 
+    def test_vertices_that_the_faces_of_a_shape_share_count_once(self):
+        (self.folder / "three.obj").write_text("v 0 0 0\nv 6 0 0\nv 0 0 -6\nf 1 2 3\n")
+        (self.folder / "cap.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 4\nf 2 3 4\nf 3 1 4\n")
+        # A prism; its faces one by one; cut into one prism of four sides and one of three; three models of 4 vertices each.
+        for body, faces, vertices in (("X.", 5, 6), ("comp(f) { all : X. }", 5, 18), ("split(x) { 3 : X. | ~1 : X. }", 11, 14),
+                                      ("split(y) { 1 : s(1, 1, 1) i(\"cap.obj\") X. }*", 9, 12)):
+            (self.folder / "v.cga").write_text(f"Lot --> extrude(3) {body}\n")
+            told = self.pcg("derive", "v.cga", "--shape", "three.obj", "--json", "v.json")
+            self.assertEqual(told.returncode, 0, told.stderr)
+            report = json.loads((self.folder / "v.json").read_text())
+            self.assertEqual((report["faces"], report["vertices"]), (faces, vertices), body)
+
     def test_inserted_models_count_like_all_other_faces(self):
         (self.folder / "tile.obj").write_text("v 0 0 0\nv 1 0 0\nv 1 0 -1\nv 0 0 -1\nf 1 2 3 4\n")  # 1 m2
         (self.folder / "tiles.cga").write_text('Lot --> split(x) { 2 : s(\'1, 0, \'1) i("tile.obj") X. }* ')  # five of 2 x 10 m

@@ -113,7 +113,6 @@ std::vector<ComponentInfo> corners(const Geometry &geometry) {
 	return result;
 }
 
-using PointKey = decltype(FaceEdge::key_of(glm::dvec3()));
 
 // Ends of edges with one face, sorted.
 std::vector<PointKey> border_points(const Geometry &geometry) {

@@ -66,7 +66,7 @@ bool Context::set_up(const InitialShape &initial_shape) {
 		model.materials().texts().clear();
 		texture_files.clear();
 	}
-	model.begin(_lot);
+	model.begin(_lot, _options.counts_vertices);
 	assets.begin();
 	model.result().diagnostics.append(diagnostics);
 	vm.begin(initial_shape.seed);

@@ -69,6 +69,7 @@ struct DeriveOptions {
 	// Metres from the bounding box of the initial shape: how far occlusion queries look for others (CGA reference: cga_context). Queries
 	// by label (minimumDistance ..) look at all of them.
 	double occlusion_distance = 1.0;
+	bool counts_vertices = false; // for DerivationResult::vertex_count
 };
 
 // entrance(type [, capacity]): at the scope's origin, looking along its z.
@@ -129,6 +130,7 @@ struct DerivationResult {
 	uint64_t shape_count = 0; // all, leaves included
 	uint64_t leaf_count = 0;
 	uint64_t face_count = 0; // of all meshes and instances
+	uint64_t vertex_count = 0; // of the mesh and its instances, not of objects; those that faces of a leaf share count once. 0: not counted
 };
 
 class Occluders;

@@ -26,6 +26,8 @@ struct FaceEdge {
 	bool has_ends_of(const FaceEdge &other) const { return (from == other.from && to == other.to) || (from == other.to && to == other.from); }
 };
 
+using PointKey = decltype(FaceEdge::key_of(glm::dvec3()));
+
 // Of a loop: an edge without a face (two corners) does not run back, a point has none.
 inline size_t edge_count(std::span<const glm::dvec3> loop) { return loop.size() <= 2 ? loop.size() - 1 : loop.size(); }
 

@@ -91,6 +91,11 @@ template <ComponentKind kind> Value component_count(Vm &vm, const Args &) {
 	return Value::of(geometry != nullptr ? double(components_of(*geometry, kind).size()) : 0.0);
 }
 
+Value vertices(Vm &vm, const Args &) {
+	const Geometry *geometry = shape_of(vm).geometry;
+	return Value::of(geometry != nullptr ? double(vertex_count(*geometry)) : 0.0);
+}
+
 Value rectangular(Vm &vm, const Args &args) { return Value::of(is_rectangular(shape_of(vm), args.number_or(0, 0.0))); }
 Value planar(Vm &vm, const Args &args) { return Value::of(is_planar(shape_of(vm), args.number_or(0, 0.25))); }
 Value instanced(Vm &vm, const Args &) {
@@ -118,7 +123,7 @@ void add_geometry_functions(Dialect &dialect) {
 	add("geometry.nFaces", {}, ValueType::Number, measured<face_count>, "Number of faces.");
 	add("geometry.nHoles", {}, ValueType::Number, hole_count, "Number of holes in faces.");
 	add("geometry.nEdges", {}, ValueType::Number, component_count<ComponentKind::Edges>, "Number of edges; shared ones count once.");
-	add("geometry.nVertices", {}, ValueType::Number, component_count<ComponentKind::Vertices>, "Number of vertices; shared ones count once.");
+	add("geometry.nVertices", {}, ValueType::Number, vertices, "Number of vertices; shared ones count once.");
 	add("geometry.isConcave", {}, ValueType::Bool, answered<is_concave>, "Whether any face is concave.");
 	add("geometry.isClosedSurface", {}, ValueType::Bool, answered<is_closed_surface>, "Whether every edge belongs to two faces.");
 	add("geometry.isRectangular", { degrees }, ValueType::Bool, rectangular, "Whether every face has four right angles.");

@@ -78,6 +78,13 @@ double face_count(const Shape &shape) {
 	return count;
 }
 
+uint32_t vertex_count(const Geometry &geometry) {
+	std::vector<PointKey> points(geometry.point_count);
+	std::transform(geometry.points, geometry.points + geometry.point_count, points.begin(), FaceEdge::key_of);
+	std::ranges::sort(points);
+	return uint32_t(std::ranges::unique(points).begin() - points.begin());
+}
+
 double boundary_length(const Shape &shape) {
 	double sum = 0.0;
 	if (shape.geometry == nullptr || shape.geometry->is_closed) {

@@ -10,6 +10,7 @@ namespace pcg::cga {
 double surface_area(const Shape &shape);
 double face_area(const Shape &shape, const GeometryFace &face);
 double face_count(const Shape &shape); // edges and points are none
+uint32_t vertex_count(const Geometry &geometry); // shared ones count once
 double volume(const Shape &shape); // of closed surfaces, else 0
 double boundary_length(const Shape &shape); // edges with one face
 bool is_closed_surface(const Shape &shape); // at least one face, and every edge has two

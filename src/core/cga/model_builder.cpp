@@ -9,6 +9,7 @@
 
 #include "core/base/shrink.h"
 #include "core/cga/instances.h"
+#include "core/cga/measure.h"
 #include "core/cga/zone_prism.h"
 #include "core/geometry/polygon.h"
 
@@ -111,8 +112,9 @@ ModelBuilder::MeshSize ModelBuilder::size_of(const Mesh &mesh) {
 	return size;
 }
 
-void ModelBuilder::begin(const Lot &lot) {
+void ModelBuilder::begin(const Lot &lot, bool counts_vertices) {
 	_lot = lot;
+	_counts_vertices = counts_vertices;
 	std::destroy_at(&_result); // nothing is in it as a rule: quicker than giving it an empty one
 	std::construct_at(&_result);
 	_result.mesh.positions.reserve(_expected.positions);
@@ -124,6 +126,7 @@ void ModelBuilder::begin(const Lot &lot) {
 	_object_frames.clear();
 	_materials.begin();
 	_instances.begin();
+	_vertices_of.clear();
 	_report_order.clear();
 	_print_order.clear();
 	++_model;
@@ -162,10 +165,27 @@ Frame ModelBuilder::target_frame(const Shape &shape) const {
 	return { glm::transpose(object.axes) * frame.axes, object.to_local(frame.origin) };
 }
 
+uint32_t ModelBuilder::count_vertices(const Geometry &geometry) {
+	if (geometry.face_count == 0 || geometry.outline(geometry.faces[0]).size() < 3) { // edges and points are not in the model
+		return 0;
+	}
+	if (!geometry.is_instance) {
+		return vertex_count(geometry);
+	}
+	const auto [found, is_new] = _vertices_of.try_emplace(&geometry, 0);
+	if (is_new) {
+		found->second = vertex_count(geometry);
+	}
+	return found->second;
+}
+
 void ModelBuilder::add_leaf(const Shape &shape) {
 	++_result.leaf_count;
 	if (shape.geometry == nullptr) {
 		return;
+	}
+	if (_counts_vertices && shape.object < 0) {
+		_result.vertex_count += count_vertices(*shape.geometry);
 	}
 	const Frame frame = target_frame(shape);
 	if (shape.geometry->is_instance && _instances.add(shape, frame, _materials, _result)) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "core/cga/derivation.h"
@@ -16,7 +17,7 @@ namespace pcg::cga {
 // Collects what a derivation makes, in world coordinates.
 class ModelBuilder {
 public:
-	void begin(const Lot &lot);
+	void begin(const Lot &lot, bool counts_vertices = false);
 	DerivationResult take();
 	DerivationResult &result() { return _result; }
 
@@ -50,6 +51,7 @@ private:
 
 	static MeshSize size_of(const Mesh &mesh);
 	Frame target_frame(const Shape &shape) const;
+	uint32_t count_vertices(const Geometry &geometry);
 	bool add_face(Mesh &mesh, const Geometry &geometry, const GeometryFace &face, uint32_t material);
 	template <typename MaterialOf> void add_faces(Mesh &mesh, const Shape &shape, const Frame &to_target, MaterialOf material_of);
 	Mesh make_shown(const Geometry &geometry, const glm::dmat3 &turn);
@@ -68,6 +70,8 @@ private:
 	std::vector<glm::vec3> _shown_points; // the same
 	MeshSize _expected;
 	uint64_t _model = 0; // counts them
+	bool _counts_vertices = false;
+	std::unordered_map<const Geometry *, uint32_t> _vertices_of; // models from files, in this derivation
 	std::vector<ReportPlace> _report_places; // by symbol
 	LevelOrder _report_order, _print_order;
 };
