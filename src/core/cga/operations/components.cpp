@@ -1,6 +1,7 @@
 #include "core/cga/components.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <vector>
 
@@ -74,7 +75,7 @@ private:
 
 	bool is_face_kind() const { return _kind == ComponentKind::Faces || _kind == ComponentKind::Groups || _kind == ComponentKind::Materials; }
 
-	// Each component goes to the first entry that selects it.
+	// Each component goes to the first entry that selects it; indices beyond the last one count on from the first.
 	void assign() {
 		_entry_of = _context.scratch.allocate<uint32_t>(_components.size());
 		std::fill_n(_entry_of, _components.size(), nobody);
@@ -99,7 +100,7 @@ private:
 		child.comp_index = component;
 		child.comp_total = uint32_t(_components.size());
 		const Value value = _context.evaluate_selected(child, { &_components[component].component, &_parent }, entry.head);
-		return value.is_bool() ? value.boolean : value.is_number() && value.number == double(component);
+		return value.is_bool() ? value.boolean : value.is_number() && std::fmod(value.number, double(_components.size())) == double(component);
 	}
 
 	// A group or a material fits where one of its faces does.
