@@ -150,8 +150,8 @@ private:
 		const double height = _direction == WorldUpFlatTop && _height == 0.0 ? 1.0 : _height;
 		_is_flipped = (rise * height < 0.0) != (_is_hollow && _height < 0.0);
 		add_cap(face, normal, true);
-		add_walls(face, normal);
 		add_cap(face, normal, false);
+		add_walls(face, normal);
 		return true;
 	}
 

@@ -17,7 +17,7 @@ enum class ExtrudeDirection : uint8_t {
 	ScopeZ,
 };
 
-// Replaces the shape's faces by prisms `height` metres high: bottom, one quad for each edge, top, in this order; faces that are raised alike
+// Replaces the shape's faces by prisms `height` metres high: bottom, top, one quad for each edge, in this order; faces that are raised alike
 // (of one plane, or in one direction) have no walls between them. Edges become quads. `keeps_axes` is the reading of the paper's listings: the scope is not turned, and what a negative height hollows out
 // shows its inside (a door's recess is seen from the street). Otherwise y turns to the direction, and the scope's y is negative where
 // the height is. False: nothing was done, the direction lies in the face.

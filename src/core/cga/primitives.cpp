@@ -85,12 +85,12 @@ const Geometry *make_cube(bool has_uvs, Arena &arena) {
 	const glm::dvec3 bottom[] = { { 0, 0, 1 }, { 1, 0, 1 }, { 1, 0, 0 }, { 0, 0, 0 } };
 	const glm::dvec3 up(0.0, 1.0, 0.0);
 	Body body;
-	body.add_quad(bottom[1], bottom[0], bottom[3], bottom[2]);
+	body.add_quad(bottom[3], bottom[2], bottom[1], bottom[0]);
+	body.add_quad(bottom[0] + up, bottom[1] + up, bottom[2] + up, bottom[3] + up);
 	for (size_t i = 0; i < 4; ++i) {
 		const size_t next = (i + 1) % 4;
 		body.add_quad(bottom[i], bottom[next], bottom[next] + up, bottom[i] + up);
 	}
-	body.add_quad(bottom[0] + up, bottom[1] + up, bottom[2] + up, bottom[3] + up);
 	return body.finish(arena, true, has_uvs);
 }
 

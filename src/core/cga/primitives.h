@@ -13,7 +13,8 @@ enum class PrimitiveKind : uint8_t { Quad, Disk, Cube, PlainCube, Sphere, Cylind
 // Quad, 0 to 1, at 0 on the axis that it looks along: a = that axis.
 // Disk, radius 0.5 around 0.5, at 0 on the axis that it looks along: a = sides, b = that axis.
 // Cube, 0 to 1. Cylinder, Cone: radius 0.5 around 0.5, height 1: a = sides. Sphere, around 0.5: a = sides, b = divisions.
-// 3 to 1000 sides; faces: bottom, sides from the one that looks to +z counter-clockwise, top; sphere from below ring by ring.
+// 3 to 1000 sides; faces of a cube: bottom, top, front, right, back, left; of a cylinder: bottom, sides from the one that looks to +z counter-clockwise, top;
+// of a sphere from below ring by ring.
 const Geometry *make_primitive(PrimitiveKind kind, uint32_t a, uint32_t b, Arena &arena);
 
 // Puts geometry of any size into the scope box. Scope sizes that are 0 are chosen: all three: as large and where the geometry is; two: scaled like
