@@ -101,7 +101,7 @@ RuleId Context::find_start_rule() const {
 		rule = _program.find_rule("Lot");
 		for (uint32_t i = 0; i < _program.rules.size() && !is_valid(rule); ++i) {
 			const RuleInfo &info = _program.rules[i];
-			rule = info.params.empty() && !info.is_leaf_symbol ? RuleId(i) : rule;
+			rule = info.params.empty() && !info.is_leaf_symbol && !info.is_replaced ? RuleId(i) : rule;
 		}
 	}
 	return rule;

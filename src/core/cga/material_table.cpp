@@ -111,9 +111,12 @@ Material MaterialTable::make(const Look &look, uint16_t asset_material) const {
 void MaterialTable::set_textures(Material &material, const Look &look, bool is_asset) const {
 	for (size_t i = 0; look.textures != nullptr && i < texture_use_count; ++i) {
 		const TextureUse use = TextureUse(i);
+		const TextureSlot &slot = look.texture(use);
+		const TextureMap *brought = material.map(use);
 		if (!is_asset || (look.parts & bit_of(use)) != 0) {
-			const TextureSlot &slot = look.texture(use);
 			set_map(material.maps, use, slot, _texts.text(slot.path != 0 ? slot.path : slot.file));
+		} else if (brought != nullptr && slot != TextureSlot()) { // rules have moved the model's picture
+			set_map(material.maps, use, slot, std::string(brought->file));
 		}
 	}
 }

@@ -19,6 +19,8 @@ public:
 
 	// For GeometryFace::material, also after begin(): assets are kept. 0 if there are too many.
 	uint16_t asset_material(const Material &material);
+	// What a GeometryFace::material names; nullptr: nothing, the face has its shape's look.
+	const Material *asset(uint16_t asset_material) const { return asset_material > 0 ? &_asset_materials[asset_material - 1u] : nullptr; }
 	// The same of what a look says: faces that keep it when their shape gets another.
 	uint16_t look_material(const Look &look) { return asset_material(make(look, 0)); }
 	// Of a shape's own faces (0) and of those with an asset's material: that one, with what rules have set themselves.

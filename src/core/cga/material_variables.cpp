@@ -30,6 +30,14 @@ const Look &look_of(Vm &vm) {
 	return *Context::of(vm).shape.look;
 }
 
+// What an inserted model brought for the first face; nullptr if there is none or if a rule has set that part since.
+const Material *brought(Context &context, uint32_t bit) {
+	const Geometry *geometry = context.shape.geometry;
+	const bool is_own = (context.shape.look->parts & bit) != 0 || geometry == nullptr || geometry->face_count == 0;
+	return is_own ? nullptr : context.model.materials().asset(geometry->faces[0].material);
+}
+const Material *brought(Context &context, LookPart part) { return brought(context, bit_of(part)); }
+
 bool read_number(Context &context, const Value &value, double most, float &target) {
 	if (!value.is_number()) {
 		return false;
@@ -53,14 +61,38 @@ Value as_given(float stored) {
 
 // --- Colours and factors
 
-template <auto member, int channel> Value read_channel(Vm &vm) { return as_given((look_of(vm).*member)[channel]); }
-template <auto member, int channel, LookPart part> bool write_channel(Context &context, const Value &value) {
+// A member of Look and the one of Material that says the same.
+template <auto of_look, auto of_material, LookPart part_> struct Colour {
+	static constexpr auto member = of_look;
+	static constexpr LookPart part = part_;
+
+	static auto read(Vm &vm) -> std::remove_cvref_t<decltype(std::declval<Look>().*of_look)> {
+		const Material *material = brought(Context::of(vm), part);
+		return material != nullptr ? material->*of_material : look_of(vm).*of_look;
+	}
+};
+using Diffuse = Colour<&Look::color, &Material::color, LookPart::Color>;
+using Opacity = Colour<&Look::color, &Material::color, LookPart::Opacity>;
+using Ambient = Colour<&Look::ambient, &Material::ambient, LookPart::Ambient>;
+using Specular = Colour<&Look::specular, &Material::specular, LookPart::Specular>;
+using Emissive = Colour<&Look::emissive, &Material::emissive, LookPart::Emissive>;
+
+template <typename Of, int channel> Value read_channel(Vm &vm) { return as_given(Of::read(vm)[channel]); }
+// The other channels stay as they are read.
+template <typename Of, int channel> bool write_channel(Context &context, const Value &value) {
+	const auto old = Of::read(context.vm);
 	Look &look = context.own_look();
-	look.mark(part);
-	return read_number(context, value, 1.0, (look.*member)[channel]);
+	look.mark(Of::part);
+	for (int i = channel < 3 ? 0 : 3; i < (channel < 3 ? 3 : 4); ++i) {
+		(look.*Of::member)[i] = old[i];
+	}
+	return read_number(context, value, 1.0, (look.*Of::member)[channel]);
 }
 
-template <float Look::*member> Value read_factor(Vm &vm) { return as_given(look_of(vm).*member); }
+template <float Look::*member, float Material::*of_material, LookPart part> Value read_factor(Vm &vm) {
+	const Material *material = brought(Context::of(vm), part);
+	return as_given(material != nullptr ? material->*of_material : look_of(vm).*member);
+}
 template <float Look::*member, LookPart part, int most> bool write_factor(Context &context, const Value &value) {
 	Look &look = context.own_look();
 	look.mark(part);
@@ -77,24 +109,26 @@ Value color_text(Vm &vm, glm::vec3 color) {
 	}
 	return Value::of(vm.make_text(result));
 }
-template <auto member> Value read_color_text(Vm &vm) { return color_text(vm, glm::vec3(look_of(vm).*member)); }
-template <auto member, LookPart part> bool write_color_text(Context &context, const Value &value) {
+template <typename Of> Value read_color_text(Vm &vm) { return color_text(vm, glm::vec3(Of::read(vm))); }
+template <typename Of> bool write_color_text(Context &context, const Value &value) {
 	glm::vec4 color = context.shape.look->color;
 	if (!value.is_text() || !parse_color(value.text->view, color)) {
 		return false;
 	}
 	Look &look = context.own_look();
-	look.mark(part);
+	look.mark(Of::part);
 	for (int i = 0; i < 3; ++i) {
-		(look.*member)[i] = color[i];
+		(look.*Of::member)[i] = color[i];
 	}
 	return true;
 }
 
 // --- Name, shader, sides
 
-template <uint32_t Look::*member> Value read_text(Vm &vm) {
-	return Value::of(vm.make_text(Context::of(vm).model.materials().texts().text(look_of(vm).*member)));
+template <uint32_t Look::*member, std::string Material::*of_material, LookPart part> Value read_text(Vm &vm) {
+	const Material *material = brought(Context::of(vm), part);
+	const TextPool &texts = Context::of(vm).model.materials().texts();
+	return Value::of(vm.make_text(material != nullptr ? std::string_view(material->*of_material) : texts.text(look_of(vm).*member)));
 }
 template <uint32_t Look::*member, LookPart part> bool write_text(Context &context, const Value &value) {
 	if (!value.is_text()) {
@@ -105,7 +139,10 @@ template <uint32_t Look::*member, LookPart part> bool write_text(Context &contex
 	look.mark(part);
 	return true;
 }
-Value read_shader(Vm &vm) { return look_of(vm).shader == 0 ? Value::of(vm.make_text("CityEngineShader")) : read_text<&Look::shader>(vm); }
+Value read_shader(Vm &vm) {
+	const Value shader = read_text<&Look::shader, &Material::shader, LookPart::Shader>(vm);
+	return shader.text->view.empty() ? Value::of(vm.make_text("CityEngineShader")) : shader;
+}
 
 // How the opacity map is used follows from the map itself.
 Value read_opacity_mode(Vm &vm) { return Value::of(vm.make_text("blend")); }
@@ -115,7 +152,10 @@ bool ignore(Context &context, const Value &) {
 	return true;
 }
 
-Value read_double_sided(Vm &vm) { return Value::of(look_of(vm).is_double_sided); }
+Value read_double_sided(Vm &vm) {
+	const Material *material = brought(Context::of(vm), LookPart::DoubleSided);
+	return Value::of(material != nullptr ? material->is_double_sided : look_of(vm).is_double_sided);
+}
 bool write_double_sided(Context &context, const Value &value) {
 	if (!value.is_bool()) {
 		return false;
@@ -141,13 +181,23 @@ constexpr std::array<std::string_view, texture_use_count> map_names = { "colorma
 struct MapField {
 	std::string_view suffix;
 	float TextureSlot::*member;
+	float TextureMap::*of_map;
 	std::string_view help;
 };
-constexpr std::array<MapField, 5> map_fields = { { { ".su", &TextureSlot::scale_u, "Scale along u." }, { ".sv", &TextureSlot::scale_v, "Scale along v." },
-		{ ".tu", &TextureSlot::shift_u, "Shift along u." }, { ".tv", &TextureSlot::shift_v, "Shift along v." },
-		{ ".rw", &TextureSlot::turn, "Turn, degrees." } } };
+constexpr std::array<MapField, 5> map_fields = { { { ".su", &TextureSlot::scale_u, &TextureMap::scale_u, "Scale along u." },
+		{ ".sv", &TextureSlot::scale_v, &TextureMap::scale_v, "Scale along v." }, { ".tu", &TextureSlot::shift_u, &TextureMap::shift_u, "Shift along u." },
+		{ ".tv", &TextureSlot::shift_v, &TextureMap::shift_v, "Shift along v." }, { ".rw", &TextureSlot::turn, &TextureMap::turn, "Turn, degrees." } } };
+
+// What the model brought in that place.
+template <size_t use> TextureMap brought_map(const Material &material) {
+	const TextureMap *map = material.map(TextureUse(use));
+	return map != nullptr ? *map : TextureMap();
+}
 
 template <size_t use> Value read_map(Vm &vm) {
+	if (const Material *material = brought(Context::of(vm), bit_of(TextureUse(use)))) {
+		return Value::of(vm.make_text(brought_map<use>(*material).file));
+	}
 	const uint32_t file = look_of(vm).texture(TextureUse(use)).file;
 	return Value::of(vm.make_text(Context::of(vm).model.materials().texts().text(file)));
 }
@@ -159,13 +209,22 @@ template <size_t use> bool write_map(Context &context, const Value &value) {
 	return true;
 }
 template <size_t use, size_t field> Value read_map_field(Vm &vm) {
-	return as_given(look_of(vm).texture(TextureUse(use)).*map_fields[field].member);
+	const Material *material = brought(Context::of(vm), bit_of(TextureUse(use)));
+	const TextureSlot &slot = look_of(vm).texture(TextureUse(use));
+	return as_given(material != nullptr && slot == TextureSlot() ? brought_map<use>(*material).*map_fields[field].of_map : slot.*map_fields[field].member);
 }
 template <size_t use, size_t field> bool write_map_field(Context &context, const Value &value) {
 	if (!value.is_number()) {
 		return false;
 	}
-	own_textures(context, context.own_look()).slots[use].*map_fields[field].member = float(context.finite(value));
+	const Material *material = brought(context, bit_of(TextureUse(use)));
+	Look &look = context.own_look();
+	TextureSlot &slot = own_textures(context, look).slots[use];
+	if (material != nullptr && slot == TextureSlot()) { // the model's pictures stay, and the other numbers those of the first
+		const TextureMap map = brought_map<use>(*material);
+		slot = { 0, 0, map.scale_u, map.scale_v, map.shift_u, map.shift_v, map.turn };
+	}
+	slot.*map_fields[field].member = float(context.finite(value));
 	return true;
 }
 
@@ -182,34 +241,37 @@ template <size_t... uses> void add_maps(std::vector<Row> &rows, std::index_seque
 	(add_map<uses>(rows), ...);
 }
 
-template <auto member, LookPart part> void add_color(std::vector<Row> &rows, const std::string &name, const std::string &what) {
+template <typename Of> void add_color(std::vector<Row> &rows, const std::string &name, const std::string &what) {
 	constexpr ValueType number = ValueType::Number;
-	rows.push_back({ name + ".r", number, read_channel<member, 0>, write_channel<member, 0, part>, "Red of the " + what + ", 0 to 1." });
-	rows.push_back({ name + ".g", number, read_channel<member, 1>, write_channel<member, 1, part>, "Green of the " + what + ", 0 to 1." });
-	rows.push_back({ name + ".b", number, read_channel<member, 2>, write_channel<member, 2, part>, "Blue of the " + what + ", 0 to 1." });
-	rows.push_back({ name + ".rgb", ValueType::Text, read_color_text<member>, write_color_text<member, part>, "The " + what + " as \"#rrggbb\"." });
+	rows.push_back({ name + ".r", number, read_channel<Of, 0>, write_channel<Of, 0>, "Red of the " + what + ", 0 to 1." });
+	rows.push_back({ name + ".g", number, read_channel<Of, 1>, write_channel<Of, 1>, "Green of the " + what + ", 0 to 1." });
+	rows.push_back({ name + ".b", number, read_channel<Of, 2>, write_channel<Of, 2>, "Blue of the " + what + ", 0 to 1." });
+	rows.push_back({ name + ".rgb", ValueType::Text, read_color_text<Of>, write_color_text<Of>, "The " + what + " as \"#rrggbb\"." });
+}
+
+template <float Look::*member, float Material::*of_material, LookPart part, int most>
+void add_factor(std::vector<Row> &rows, const std::string &name, const std::string &help) {
+	rows.push_back({ name, ValueType::Number, read_factor<member, of_material, part>, write_factor<member, part, most>, help });
 }
 
 std::vector<Row> make_rows() {
 	constexpr ValueType number = ValueType::Number, text = ValueType::Text;
 	std::vector<Row> rows;
-	add_color<&Look::color, LookPart::Color>(rows, "material.color", "colour");
-	add_color<&Look::ambient, LookPart::Ambient>(rows, "material.ambient", "ambient colour");
-	add_color<&Look::specular, LookPart::Specular>(rows, "material.specular", "colour of highlights");
-	add_color<&Look::emissive, LookPart::Emissive>(rows, "material.emissive", "light that the surface gives off");
-	rows.push_back({ "material.opacity", number, read_channel<&Look::color, 3>, write_channel<&Look::color, 3, LookPart::Opacity>, "0 is clear, 1 is solid." });
-	rows.push_back({ "material.color.a", number, read_channel<&Look::color, 3>, write_channel<&Look::color, 3, LookPart::Opacity>, "The old name of material.opacity." });
-	rows.push_back({ "material.shininess", number, read_factor<&Look::shininess>, write_factor<&Look::shininess, LookPart::Shininess, 128>,
-			"How narrow highlights are, 0 to 128." });
-	rows.push_back({ "material.reflectivity", number, read_factor<&Look::reflectivity>, write_factor<&Look::reflectivity, LookPart::Reflectivity, 1>,
-			"0 to 1; together with the specular colour." });
-	rows.push_back({ "material.bumpValue", number, read_factor<&Look::bump_value>, write_factor<&Look::bump_value, LookPart::BumpValue, 1000>,
-			"Height of the bump map." });
-	rows.push_back({ "material.metallic", number, read_factor<&Look::metallic>, write_factor<&Look::metallic, LookPart::Metallic, 1>, "0 or 1." });
-	rows.push_back({ "material.roughness", number, read_factor<&Look::roughness>, write_factor<&Look::roughness, LookPart::Roughness, 1>,
-			"0 is a mirror, 1 is dull." });
+	add_color<Diffuse>(rows, "material.color", "colour");
+	add_color<Ambient>(rows, "material.ambient", "ambient colour");
+	add_color<Specular>(rows, "material.specular", "colour of highlights");
+	add_color<Emissive>(rows, "material.emissive", "light that the surface gives off");
+	rows.push_back({ "material.opacity", number, read_channel<Opacity, 3>, write_channel<Opacity, 3>, "0 is clear, 1 is solid." });
+	rows.push_back({ "material.color.a", number, read_channel<Opacity, 3>, write_channel<Opacity, 3>, "The old name of material.opacity." });
+	add_factor<&Look::shininess, &Material::shininess, LookPart::Shininess, 128>(rows, "material.shininess", "How narrow highlights are, 0 to 128.");
+	add_factor<&Look::reflectivity, &Material::reflectivity, LookPart::Reflectivity, 1>(rows, "material.reflectivity",
+			"0 to 1; together with the specular colour.");
+	add_factor<&Look::bump_value, &Material::bump_value, LookPart::BumpValue, 1000>(rows, "material.bumpValue", "Height of the bump map.");
+	add_factor<&Look::metallic, &Material::metallic, LookPart::Metallic, 1>(rows, "material.metallic", "0 or 1.");
+	add_factor<&Look::roughness, &Material::roughness, LookPart::Roughness, 1>(rows, "material.roughness", "0 is a mirror, 1 is dull.");
 	rows.push_back({ "material.doubleSided", ValueType::Bool, read_double_sided, write_double_sided, "Whether faces are seen from behind too." });
-	rows.push_back({ "material.name", text, read_text<&Look::name>, write_text<&Look::name, LookPart::Name>, "The name in exported files." });
+	rows.push_back({ "material.name", text, read_text<&Look::name, &Material::name, LookPart::Name>, write_text<&Look::name, LookPart::Name>,
+			"The name in exported files." });
 	rows.push_back({ "material.shader", text, read_shader, write_text<&Look::shader, LookPart::Shader>, "CityEngine's name of the shader; kept, without effect." });
 	add_maps(rows, std::make_index_sequence<texture_use_count>());
 	rows.push_back({ "material.opacitymap.mode", text, read_opacity_mode, ignore, "Accepted, without effect: always \"blend\"." });

@@ -109,7 +109,7 @@ bool is_concave(const Shape &shape) {
 		for (const glm::dvec3 &point : loop) {
 			flat.push_back(flatten(point, normal));
 		}
-		result |= flat.size() >= 3 && !is_convex(flat);
+		result |= flat.size() >= 3 && !is_convex(flat, straight_sine);
 	});
 	return result;
 }

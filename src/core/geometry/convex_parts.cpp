@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/geometry/polygon.h"
 #include "core/geometry/triangulate.h"
 
 namespace pcg {
@@ -19,11 +20,9 @@ double turn(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
 	return scale > 0.0 ? cross(b - a, c - b) / scale : 0.0;
 }
 
-constexpr double straight = 1e-9; // sine below which a corner counts as straight
-
 bool is_reflex(const Loop2 &loop, size_t i) {
 	const size_t count = loop.size();
-	return turn(loop[(i + count - 1) % count], loop[i], loop[(i + 1) % count]) < -straight;
+	return turn(loop[(i + count - 1) % count], loop[i], loop[(i + 1) % count]) < -straight_sine;
 }
 
 // Whether the segment a-b crosses an edge of the loop or runs through one of its corners.
@@ -51,7 +50,7 @@ bool is_blocked(const Loop2 &loop, glm::dvec2 a, glm::dvec2 b) {
 bool leads_inside(const Loop2 &loop, size_t i, glm::dvec2 target) {
 	const size_t count = loop.size();
 	const glm::dvec2 before = loop[(i + count - 1) % count], at = loop[i], after = loop[(i + 1) % count];
-	const bool is_left_of_after = turn(at, after, target) > straight || (cross(after - at, target - at) > 0.0);
+	const bool is_left_of_after = turn(at, after, target) > straight_sine || (cross(after - at, target - at) > 0.0);
 	const bool is_right_of_before = cross(before - at, target - at) < 0.0;
 	return is_reflex(loop, i) ? is_left_of_after || is_right_of_before : is_left_of_after && is_right_of_before;
 }
@@ -60,7 +59,7 @@ bool leads_inside(const Loop2 &loop, size_t i, glm::dvec2 target) {
 bool resolves(const Loop2 &loop, size_t i, glm::dvec2 target) {
 	const size_t count = loop.size();
 	const glm::dvec2 before = loop[(i + count - 1) % count], at = loop[i], after = loop[(i + 1) % count];
-	return turn(before, at, target) >= -straight && turn(target, at, after) >= -straight;
+	return turn(before, at, target) >= -straight_sine && turn(target, at, after) >= -straight_sine;
 }
 
 struct Cut {

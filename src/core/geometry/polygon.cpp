@@ -66,14 +66,14 @@ double signed_area(std::span<const glm::dvec2> loop) {
 	return sum;
 }
 
-bool is_convex(std::span<const glm::dvec2> loop) {
+bool is_convex(std::span<const glm::dvec2> loop, double straight) {
 	const size_t count = loop.size();
 	double turning = 0.0;
 	for (size_t i = 0; i < count; ++i) {
 		const glm::dvec2 incoming = loop[(i + 1) % count] - loop[i];
 		const glm::dvec2 outgoing = loop[(i + 2) % count] - loop[(i + 1) % count];
 		const double turn = cross(incoming, outgoing);
-		if (turn < -1e-12 * glm::length(incoming) * glm::length(outgoing)) {
+		if (turn < -straight * glm::length(incoming) * glm::length(outgoing)) {
 			return false;
 		}
 		turning += std::atan2(turn, glm::dot(incoming, outgoing));

@@ -24,7 +24,10 @@ glm::dvec3 area_vector(std::span<const glm::dvec3> loop);
 glm::dvec3 loop_normal(std::span<const glm::dvec3> loop, glm::dvec3 fallback = glm::dvec3(0.0, 1.0, 0.0));
 // Twice the area; positive if counter-clockwise.
 double signed_area(std::span<const glm::dvec2> loop);
-bool is_convex(std::span<const glm::dvec2> loop);
+// Sine of a thousandth of a degree: rule files see corners as straight up to it, because the places of files are rounded.
+constexpr double straight_sine = 1.7453e-5;
+// Inner corners up to the sine `straight` count as straight.
+bool is_convex(std::span<const glm::dvec2> loop, double straight = 1e-12);
 bool contains(std::span<const glm::dvec2> loop, glm::dvec2 point);
 
 // Drops the coordinate along which `normal` is longest, so that loops around `normal` stay counter-clockwise.

@@ -13,7 +13,7 @@ namespace {
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
 constexpr double parallel_sine = 1e-9; // below it two edges count as parallel
-constexpr double straight_sine = 1e-7; // below it one goes on where the other ends
+constexpr double onward_sine = 1e-7; // below it one goes on where the other ends
 constexpr double never = std::numeric_limits<double>::infinity();
 
 } // namespace
@@ -73,7 +73,7 @@ void Wavefront::add_loop(const Loop2 &loop, std::span<const double> speeds) {
 
 bool Wavefront::needs_step(const Vertex &vertex) const {
 	const Edge &before = _edges[vertex.before_edge], &after = _edges[vertex.after_edge];
-	return before.speed != after.speed && std::abs(cross(before.direction, after.direction)) < straight_sine && glm::dot(before.direction, after.direction) > 0.0;
+	return before.speed != after.speed && std::abs(cross(before.direction, after.direction)) < onward_sine && glm::dot(before.direction, after.direction) > 0.0;
 }
 
 // Between collinear edges of different speed the front opens a step at right angles that itself stands still. Gives the corner behind it.
@@ -150,7 +150,7 @@ bool Wavefront::is_reflex(const Vertex &vertex) const {
 
 bool Wavefront::is_spike(const Vertex &vertex) const {
 	const glm::dvec2 a = _edges[vertex.before_edge].direction, b = _edges[vertex.after_edge].direction;
-	return std::abs(cross(a, b)) < straight_sine && glm::dot(a, b) < 0.0;
+	return std::abs(cross(a, b)) < onward_sine && glm::dot(a, b) < 0.0;
 }
 
 // Of the side of the front that begins at `vertex`.

@@ -23,8 +23,9 @@ uint32_t Compiler::mark_start_rules(bool in_main_file) {
 		const std::vector<AstAnnotation> &annotations = definition.item->annotations;
 		const bool is_marked = std::ranges::any_of(annotations, [](const AstAnnotation &annotation) { return annotation.name == "StartRule"; });
 		if (is_marked || definition.item->is_start) {
-			_program->rules[definition.index].is_start = true;
-			_program->start_rule = count++ == 0 ? RuleId(definition.index) : _program->start_rule;
+			const uint32_t rule = _definitions[winner_of(definition)].index; // the mark stays where a style redefines the rule
+			_program->rules[rule].is_start = true;
+			_program->start_rule = count++ == 0 ? RuleId(rule) : _program->start_rule;
 			check_start_rule(definition);
 		}
 	}

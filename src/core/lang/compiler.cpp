@@ -105,6 +105,12 @@ void Compiler::add_params(Callable &callable, std::span<const AstParam> params) 
 	}
 }
 
+// The definition that the name of this one stands for.
+size_t Compiler::winner_of(const Definition &definition) const {
+	const uint32_t found = _set.find_rule(0, definition.name, definition.param_count);
+	return found != no_node ? found : size_t(&definition - _definitions.data());
+}
+
 void Compiler::declare_rule(Definition &definition) {
 	const AstItem &item = *definition.item;
 	definition.index = uint32_t(_program->rules.size());
@@ -117,6 +123,7 @@ void Compiler::declare_rule(Definition &definition) {
 	}
 	info.annotations = annotations_of(definition);
 	info.has_paper_arrow = item.has_paper_arrow;
+	info.is_replaced = winner_of(definition) != size_t(&definition - _definitions.data());
 	_program->rules.push_back(std::move(info));
 	_program->callables.emplace_back();
 	add_params(_program->callables.back(), item.params);

@@ -44,6 +44,7 @@ private:
 
 	// compiler.cpp: declarations
 	void declare();
+	size_t winner_of(const Definition &definition) const;
 	void declare_rule(Definition &definition);
 	void declare_attribute(Definition &definition);
 	void declare_function(Definition &definition);

@@ -17,7 +17,7 @@ std::string_view without_default_style(std::string_view name) {
 RuleId Program::find_rule(std::string_view name, size_t param_count) const {
 	name = without_default_style(name);
 	for (size_t i = 0; i < rules.size(); ++i) {
-		if (rules[i].name == name && rules[i].params.size() == param_count && !rules[i].is_leaf_symbol) {
+		if (rules[i].name == name && rules[i].params.size() == param_count && !rules[i].is_leaf_symbol && !rules[i].is_replaced) {
 			return RuleId(i);
 		}
 	}

@@ -47,6 +47,7 @@ struct RuleInfo {
 	SourcePlace place;
 	std::vector<Annotation> annotations;
 	bool is_start = false;
+	bool is_replaced = false; // a style or an importing file has another rule of this name: nothing finds this one by it
 	bool is_leaf_symbol = false; // CGA: a called name without a rule
 	bool has_paper_arrow = false; // written with `->` as in the paper's listings, which CityEngine does not know
 };

@@ -352,7 +352,9 @@ void Loader::inherit_attributes(uint32_t module, const AstImport &import, uint32
 		const bool is_listed = std::any_of(import.overrides.begin(), import.overrides.end(),
 				[&](const AstOverride &item) { return item.name == imported.item->name; });
 		const uint32_t own = find_overload(_set, find_list(_set.spaces[_set.modules[module].space].values, imported.item->name), 0);
-		if (!is_listed && own != no_node && _set.definitions[own].kind == Definition::Kind::Attribute) {
+		const bool is_attribute = own != no_node && _set.definitions[own].kind == Definition::Kind::Attribute &&
+				(is_strict() || _set.definitions[own].item->kind == AstItem::Kind::Attribute); // CGA's constants stay in their file
+		if (!is_listed && is_attribute) {
 			imported.inherits = own;
 		}
 	}

@@ -130,7 +130,7 @@ String PCGRuleSet::get_diagnostics_text() const { return to_godot(std::string_vi
 PackedStringArray PCGRuleSet::get_rules() const {
 	PackedStringArray names;
 	for (const RuleInfo &rule : _program ? _program->rules : std::vector<RuleInfo>()) {
-		if (!rule.is_leaf_symbol) {
+		if (!rule.is_leaf_symbol && !rule.is_replaced) {
 			names.push_back(to_godot(std::string_view(rule.name)));
 		}
 	}

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <initializer_list>
 #include <utility>
 
@@ -145,6 +146,26 @@ TEST_CASE("shapes: a style redefines rules and attributes on top of what it exte
 	CHECK(run_style("Night", { { "main", styled } }) == "10,2 Wall 30,4");
 	CHECK(run_style("Rain", { { "main", styled } }) == "10,20 Wall 30,4");
 	CHECK(run_style("Snow", { { "main", styled } }) == "unknown-style 0:0");
+}
+
+TEST_CASE("shapes: a style redefines the rule that hosts start with, and leaves its mark there") {
+	const std::string both = "@StartRule\nStart --> log(1)\nstyle Night\nStart --> log(2)\nstyle Late extends Night\nattr x = 1";
+	CHECK(run_style("", { { "main", both } }) == "1");
+	CHECK(run_style("Night", { { "main", both } }) == "2");
+	CHECK(run_style("Late", { { "main", both } }) == "2");
+	MemorySourceProvider provider;
+	provider.add("main", both);
+	Diagnostics diagnostics;
+	const auto program = load_program("main", shape_dialect(), provider, diagnostics, "Night");
+	REQUIRE(program != nullptr);
+	CHECK(program->start_rule == program->find_rule("Start"));
+	CHECK(program->rules[size_t(program->start_rule)].is_start);
+	CHECK(std::ranges::count_if(program->rules, [](const RuleInfo &rule) { return rule.is_start; }) == 1);
+}
+
+TEST_CASE("shapes: attributes of the importing file flow into imports, its constants do not") {
+	const std::string lib = "attr a = 1 attr b = 1 const c = 1 Go --> log(a, b, c)";
+	CHECK(run_shapes({ { "main", "import i : \"lib\"\nattr a = 5 const b = 6 attr c = 7\nStart --> i.Go" }, { "lib", lib } }) == "i.Go 5,1,1");
 }
 
 TEST_CASE("shapes: styles in a circle and unknown bases end at Default") {

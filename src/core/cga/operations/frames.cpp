@@ -15,15 +15,21 @@ namespace pcg::cga {
 
 namespace {
 
+// `kept` is projected; where it lies along the axis the third one is, so that a wall whose first edge is upright stays flat in its scope.
+glm::dvec3 kept_direction(glm::dvec3 axis, glm::dvec3 kept, glm::dvec3 instead) {
+	return glm::length(glm::cross(axis, kept)) > 1e-9 ? kept : instead;
+}
+
 // One axis of the scope goes to that of the system, the rest turns along as little as it can.
 glm::dmat3 aligned_axes(const glm::dmat3 &system, const glm::dmat3 &old, uint32_t axis) {
 	if (axis == 1) {
-		return axes_from_y(system[1], old[0]);
+		return axes_from_y(system[1], kept_direction(system[1], old[0], glm::cross(system[1], old[2])));
 	}
 	if (axis == 2) {
-		return axes_from_z(system[2], old[0]);
+		return axes_from_z(system[2], kept_direction(system[2], old[0], glm::cross(old[1], system[2])));
 	}
-	const glm::dmat3 from_z = axes_from_z(system[0], old[2]); // x is z without its part along the axis
+	// x is z without its part along the axis
+	const glm::dmat3 from_z = axes_from_z(system[0], kept_direction(system[0], old[2], glm::cross(system[0], old[1])));
 	const glm::dvec3 z = from_z[0];
 	return glm::dmat3(system[0], glm::cross(z, system[0]), z);
 }
