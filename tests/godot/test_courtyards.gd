@@ -143,6 +143,33 @@ func test_a_lot_and_what_stands_in_its_courtyard_are_moved_whichever_was_drawn_f
 	city.free()
 
 
+func test_a_ring_that_is_turned_stands_around_what_stays_in_its_courtyard() -> void:
+	var city: PCGCity = _drawn()
+	check(city.generate_now(), "it generates: %s" % [city.get_diagnostics()])
+	var ring: PCGLot = _lot(city, "house")
+	for turned: Vector3 in [Vector3(0, PI, 0), Vector3(PI, 0, 0), Vector3.ZERO]: # the hut stands in the middle: around, upside down, back
+		ring.rotation = turned
+		await _wait_for_navigation(city)
+		check_equal(_lot(city, "hut").get_overlapping_lots().size(), 0, "nothing overlaps")
+		check(is_finite(city.get_distance(0, 1)), "people walk from the ring to the hut, turned by %s" % turned)
+		check(_ends_at(city, Vector3(118, 0, 92)), "and into the courtyard")
+		check(not _ends_at(city, Vector3(107, 0, 80)), "but not through its wing")
+	city.free()
+
+
+func test_a_ring_that_is_moved_without_what_stood_in_its_courtyard_has_ground_there() -> void:
+	var city: PCGCity = _drawn()
+	check(city.generate_now(), "it generates: %s" % [city.get_diagnostics()])
+	_lot(city, "hut").free()
+	await _wait_for_navigation(city)
+	check(_ends_at(city, Vector3(130, 0, 80)), "where the hut stood there is ground")
+	_lot(city, "house").position += Vector3(4, 0, 2)
+	await _wait_for_navigation(city)
+	for place: Vector3 in [Vector3(130, 0, 80), Vector3(134, 0, 82)]:
+		check(_ends_at(city, place), "and where it would stand, had it been moved along")
+	city.free()
+
+
 func test_holes_of_a_map_are_courtyards() -> void:
 	var file := FileAccess.open(MAP, FileAccess.WRITE)
 	file.store_string(JSON.stringify({"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates": [

@@ -7,7 +7,7 @@
 
 #include <godot_cpp/core/object.hpp>
 
-#include "core/city/free_ground.h"
+#include "core/city/lot_ground.h"
 #include "godot/convert.h"
 #include "godot/nodes/city_builder.h"
 #include "godot/nodes/city_link.h"
@@ -24,7 +24,7 @@ namespace pcg {
 namespace {
 
 constexpr float arm = 1e-3f; // metres; less is rounding between the frames of nodes
-enum PatchKind { Vacated, Moved, Obstacle = std::numeric_limits<int>::max() }; // between the last two, lots that were moved and stand in courtyards
+constexpr int obstacles = std::numeric_limits<int>::max(); // a layer over all lots
 
 template <typename T> T *node_of(uint64_t object) { return Object::cast_to<T>(ObjectDB::get_instance(object)); }
 
@@ -358,33 +358,21 @@ void CityEdits::release(const Node *node) {
 	set_footprint(node->get_instance_id(), {});
 }
 
-CityEdits::Patches CityEdits::patches() const {
-	Patches result;
-	const City &city = _state->city;
-	std::vector<bool> is_at_home(city.lots.size());
-	for (const auto &[object, place] : _lots) {
-		if (place.motion.is_equal_approx(Transform3D())) {
-			is_at_home[index_of(place.lot)] = true;
-			continue;
-		}
-		GroundPatch patch;
-		patch.outline = placed(place.motion, city.layout.lot(place.lot).polygon);
-		for (const std::vector<glm::vec3> &piece : city.lots[index_of(place.lot)].free_ground) {
-			patch.pieces.push_back(placed(place.motion, piece));
-		}
-		result[{ Moved + lots_around(city.layout, place.lot), object }] = std::move(patch); // what stands in a courtyard lies over it
-	}
-	for (size_t i = 0; i < is_at_home.size(); ++i) {
-		if (!is_at_home[i]) {
-			const Lot &lot = city.layout.lots[i];
-			const std::vector<std::vector<glm::vec3>> within = lots_within(city.layout, LotId(i));
-			result[{ Vacated, i }] = { lot.polygon, free_ground(lot, cga::DerivationResult(), {}, within), within };
-		}
-	}
+LayeredPatches CityEdits::patches() const {
+	LayeredPatches result = patches_of_lots(_state->city, placed_lots());
 	for (const auto &[object, footprint] : _footprints) {
-		result[{ Obstacle, object }] = { footprint, {} };
+		result[{ obstacles, object }] = { footprint, {} };
 	}
 	return result;
+}
+
+std::vector<PlacedLot> CityEdits::placed_lots() const {
+	std::vector<PlacedLot> lots;
+	for (const auto &[object, place] : _lots) {
+		const bool is_at_home = place.motion.is_equal_approx(Transform3D());
+		lots.push_back({ object, place.lot, is_at_home ? glm::mat4(1.0f) : from_godot(place.motion), is_at_home });
+	}
+	return lots;
 }
 
 PCGLot *CityEdits::lot_node(LotId lot) const {

@@ -46,9 +46,8 @@ public:
 	Changes take_in();
 	// Removes the records whose nodes were freed before they were taken in, or whose lot was before they were made. Call it when all nodes have been.
 	void remove_unclaimed();
-	// What the lots and objects that stand in the tree do to the ground for walking. By what changes it: the kind, then whose it is.
-	using Patches = std::map<std::pair<int, uint64_t>, GroundPatch>;
-	Patches patches() const;
+	// What the lots and objects that stand in the tree do to the ground for walking.
+	LayeredPatches patches() const;
 	void mark_overlaps(); // on the nodes of lots, after lots came, moved or went
 	void mark_reach(std::span<const Reach> verdicts) const; // by EntranceId
 	// The node goes, and what its record says is somebody else's to decide.
@@ -76,6 +75,7 @@ private:
 	void take_in_zone(PCGZone *node);
 	void take_in_object(PCGObject *node);
 	bool is_ours(godot::Node3D *node) const;
+	std::vector<PlacedLot> placed_lots() const;
 	godot::Transform3D frame_of(const godot::Node3D *node) const; // in the city
 	BuildingId building_for(PCGEntrance *node);
 	template <typename Id> Id take_id(const godot::Node3D *node, const CityLink &link, size_t count);

@@ -22,12 +22,6 @@ void CityEdits::mark_reach(std::span<const Reach> verdicts) const {
 	}
 }
 
-void CityEdits::mark_overlaps() {
-	std::vector<CityOverlaps::PlacedLot> lots;
-	for (const auto &[object, place] : _lots) {
-		lots.push_back({ object, place.lot, place.motion });
-	}
-	_overlaps.mark(_state->city.layout, lots);
-}
+void CityEdits::mark_overlaps() { _overlaps.mark(_state->city.layout, placed_lots()); }
 
 } // namespace pcg

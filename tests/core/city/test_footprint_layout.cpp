@@ -143,8 +143,8 @@ TEST_CASE("of rings within rings each lot knows the nearest around it") {
 	const Layout layout = make({ box(35, 35, 45, 45), inner, outer });
 	CHECK(layout.lots[0].around == LotId(1));
 	CHECK(layout.lots[1].around == LotId(2));
-	CHECK(lots_around(layout, LotId(0)) == 2);
-	CHECK(lots_around(layout, LotId(2)) == 0);
+	CHECK(lots_around(layout, LotId(0)) == std::vector<LotId>{ LotId(1), LotId(2) });
+	CHECK(lots_around(layout, LotId(2)).empty());
 	const Layout twice = make({ outer, outer }, 1);
 	CHECK(twice.lots[0].around == LotId::Invalid);
 	CHECK(twice.lots[1].around == LotId::Invalid);
