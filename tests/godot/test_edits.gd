@@ -139,6 +139,23 @@ func test_a_moved_and_a_deleted_lot_leave_free_ground() -> void:
 	check(way.size() > 1 and way[0].distance_to(inside) < 1.0, "the engine's map knows it too: %s" % [way])
 
 
+func test_a_moved_lot_that_is_made_anew_has_the_ground_that_it_leaves_now() -> void:
+	var door: PCGEntrance = _first(&"pcg_entrances")
+	var lot: PCGLot = door.get_parent()
+	var inside: Vector3 = door.global_basis.z * 2.5 # a house takes the front 15 m of 20
+	for node: Node in get_tree().get_nodes_in_group(&"pcg_lots"):
+		if _city.is_ancestor_of(node) and (node as PCGLot).type == "park":
+			lot.global_position = (node as PCGLot).global_position
+	inside += lot.global_position
+	await _wait_for_navigation()
+	check_equal(_city.find_path(inside, inside + Vector3(1, 0, 0)).size(), 0, "a house stands there")
+	for type: PCGLotType in _city.lot_types:
+		type.rules = CityForTests.make_rules('@StartRule\nLot --> zone("%s") Lawn.' % type.type)
+	check(_city.regenerate_lot(lot.lot_id), "it is a lawn now: %s" % [_city.get_diagnostics()])
+	await _wait_for_navigation()
+	check(_city.find_path(inside, inside + Vector3(1, 0, 0)).size() > 1, "on which people walk")
+
+
 func test_a_monument_is_an_object_of_the_city_and_stands_in_the_way() -> void:
 	var objects: int = _city.get_statistics()["objects"]
 	var park: PCGLot = null

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -78,6 +79,7 @@ void CityEdits::follow(std::shared_ptr<CityState> state) {
 	_lot_of_building.clear();
 	_footprints.clear();
 	_overlaps.clear();
+	_changes = {};
 }
 
 void CityEdits::forget_ids() {
@@ -117,9 +119,8 @@ void CityEdits::restore_ids() {
 CityEdits::Changes CityEdits::take_in() {
 	std::vector<uint64_t> noted = std::move(_noted);
 	_noted.clear();
-	_changes = {};
 	if (!_state) {
-		return _changes;
+		return {};
 	}
 	const uint64_t revision = _state->city.model.revision();
 	std::unordered_set<uint64_t> done;
@@ -134,7 +135,7 @@ CityEdits::Changes CityEdits::take_in() {
 		}
 	}
 	_changes.has_edits = _state->city.model.revision() != revision;
-	return _changes;
+	return std::exchange(_changes, {});
 }
 
 bool CityEdits::is_ours(Node3D *node) const {

@@ -36,6 +36,7 @@ public:
 	// Instead: makes room for the ids that the noted nodes bring along, so that none of them changes: a city that was saved comes back.
 	void restore_ids();
 	void note(const godot::Node3D *node) { _noted.push_back(node->get_instance_id()); }
+	void note_new_ground() { _changes.has_new_ground = true; } // what lots leave free is not as before
 
 	struct Changes {
 		bool has_edits = false; // the model is not as before
@@ -89,7 +90,7 @@ private:
 	std::unordered_map<uint64_t, BuildingId> _building_of_lot; // by object
 	std::unordered_map<uint32_t, uint64_t> _lot_of_building;
 	std::map<uint64_t, std::vector<glm::vec3>> _footprints; // by object
-	Changes _changes;
+	Changes _changes; // since they were taken in
 	CityOverlaps _overlaps;
 };
 

@@ -144,6 +144,7 @@ bool PCGCity::regenerate(const std::vector<LotId> &lots) {
 		builder.fill_lot(node, lot);
 		_ground->touch(lot);
 	}
+	_edits.note_new_ground();
 	_saved.clear();
 	replace_diagnostics(wanted, job);
 	report(job.diagnostics);
