@@ -100,6 +100,34 @@ func test_a_city_of_drawn_blocks_is_saved_and_drawn_on() -> void:
 	again.free()
 
 
+func test_heights_that_are_none_and_points_that_are_nowhere_are_told_by_the_name_of_their_node() -> void:
+	var city: PCGCity = _drawn()
+	city.lot_types = [CityForTests.make_type("house", 1, CityForTests.HOUSE), CityForTests.make_type("school", 0, CityForTests.SCHOOL)] as Array[PCGLotType]
+	var box: Path3D = city.get_node("Box")
+	for kind: PCGLayout.Kind in [PCGLayout.KIND_BLOCKS, PCGLayout.KIND_FOOTPRINTS]:
+		city.layout.kind = kind
+		for height: Variant in [INF, NAN, 1e30, 1e300, -2.0, "tall", [12.0]]:
+			box.set_meta("height", height)
+			expect_message("Box: its height is none from 0 to 2000 m and is ignored")
+			city.generate_now()
+			check_equal(city.get_diagnostics().filter(func(one: Dictionary) -> bool: return one["id"] == "bad-height").size(), 1, "told of %s" % [height])
+		for height: Variant in [12.5, 12, "12.5", 2000]:
+			box.set_meta("height", height)
+			city.generate_now()
+			check(city.get_diagnostics().all(func(one: Dictionary) -> bool: return one["id"] != "bad-height"), "%s is one" % [height])
+		for nowhere: float in [NAN, INF]:
+			box.curve.set_point_position(2, Vector3(60, 0, nowhere))
+			expect_message("Box: its outline has a corner that is nowhere")
+			check(not city.generate_now(), "no city of a path with %s" % nowhere)
+			box.curve.set_point_position(2, Vector3(60, 0, 46))
+			var corner: Polygon2D = city.get_node("Corner")
+			corner.position = Vector2(nowhere, 0)
+			expect_message("Corner: its outline has a corner that is nowhere")
+			check(not city.generate_now(), "no city of a polygon that is at %s" % nowhere)
+			corner.position = Vector2.ZERO
+	city.free()
+
+
 func test_blocks_without_room_and_none_at_all_are_told() -> void:
 	var city: PCGCity = _drawn()
 	city.layout.pavement_width = 26 # of both nothing is left

@@ -18,6 +18,10 @@ constexpr double farthest = 50'000.0; // metres
 constexpr double most_ground = 200e6; // square metres: a box of 14 by 14 km has 125,000 tiles
 constexpr double least_area = 1.0; // square metres
 
+bool is_finite(const Loop2 &loop) {
+	return std::all_of(loop.begin(), loop.end(), [](glm::dvec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); });
+}
+
 bool is_near(const Loop2 &loop) {
 	return std::all_of(loop.begin(), loop.end(), [](glm::dvec2 p) { return std::abs(p.x) <= farthest && std::abs(p.y) <= farthest; });
 }
@@ -46,6 +50,9 @@ bool check(const Footprint &footprint, const Loop2 &loop, const char *what, Diag
 		diagnostics.error("bad-footprint", footprint.name + ": " + what + problem, hint);
 		return false;
 	};
+	if (!is_finite(loop)) {
+		return error(" has a corner that is nowhere: its coordinates are not finite numbers", "look at its points, and at its place in the scene");
+	}
 	if (!is_near(loop)) {
 		return error(" lies farther than 50 km from the origin", "cut the map into smaller ones");
 	}
@@ -56,6 +63,9 @@ bool check(const Footprint &footprint, const Loop2 &loop, const char *what, Diag
 }
 
 void check(const Footprint &footprint, Diagnostics &diagnostics) {
+	if (footprint.height != sound_height(footprint)) {
+		diagnostics.warning("bad-height", footprint.name + ": its height is none from 0 to 2000 m and is ignored", "write metres as a number");
+	}
 	bool is_sound = check(footprint, footprint.outline, "its outline", diagnostics);
 	for (const Loop2 &hole : footprint.holes) {
 		is_sound = is_sound && check(footprint, hole, "a hole in it", diagnostics);
@@ -95,6 +105,10 @@ bool check_footprints(const std::vector<Footprint> &footprints, Diagnostics &dia
 		check_extent(footprints, diagnostics);
 	}
 	return diagnostics.error_count() == before;
+}
+
+float sound_height(const Footprint &footprint) {
+	return footprint.height >= 0.0f && footprint.height <= tallest_footprint ? footprint.height : 0.0f; // NaN: 0
 }
 
 std::vector<OutlineOverlap> report_overlaps(const std::vector<Footprint> &footprints, Diagnostics &diagnostics) {

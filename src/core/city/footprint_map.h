@@ -10,8 +10,11 @@
 // Where footprints lie: in tiles, so that whatever is laid over them meets few.
 namespace pcg {
 
-// False, and errors that name each footprint that cannot be laid out, or say that all of them spread too far.
+// False, and errors that name each footprint that cannot be laid out, or say that all of them spread too far. Warnings of heights that are none.
 bool check_footprints(const std::vector<Footprint> &footprints, Diagnostics &diagnostics);
+
+// Its height if that is one, else 0: not known.
+float sound_height(const Footprint &footprint);
 
 // Those that share ground, each pair with a warning that names both.
 std::vector<OutlineOverlap> report_overlaps(const std::vector<Footprint> &footprints, Diagnostics &diagnostics);

@@ -179,6 +179,17 @@ TEST_CASE("lots have their block's type and height, and streets are as wide as w
 	}
 }
 
+TEST_CASE("a block's height that is none is told and ignored") {
+	Footprint tower = box(0, 0, 86, 46, "the tower");
+	tower.height = INFINITY;
+	Diagnostics diagnostics;
+	const std::optional<Layout> layout = layout_of_blocks({ tower }, parameters(), diagnostics);
+	REQUIRE(layout.has_value());
+	CHECK(layout->lots[0].height == 0.0f);
+	REQUIRE(diagnostics.list().size() == 1);
+	CHECK(diagnostics.list()[0].message == "the tower: its height is none from 0 to 2000 m and is ignored");
+}
+
 TEST_CASE("curves have few corners, so that their lots have fronts") {
 	Loop2 circle;
 	for (size_t i = 0; i < 200; ++i) {
