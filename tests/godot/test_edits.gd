@@ -329,6 +329,10 @@ func test_lots_that_were_drawn_over_each_other_know_it() -> void:
 	lots.sort_custom(func(a: PCGLot, b: PCGLot) -> bool: return a.lot_id < b.lot_id)
 	check_equal(lots[0].get_overlapping_lots(), [lots[1]] as Array[PCGLot], "the one over the other")
 	check_equal(lots[2].get_overlapping_lots().size(), 0, "but not the third")
+	var blocks: Dictionary = {}
+	for lot: PCGLot in lots:
+		blocks[lot.block_id] = true
+	check_equal(city.get_statistics()["blocks"], blocks.size(), "squares of the map without a lot are no blocks")
 
 
 func test_what_is_done_by_hand_while_a_city_is_made_holds() -> void:
