@@ -1,7 +1,6 @@
-extends "res://tests/godot/suite.gd"
+extends "res://tests/godot/saved_suite.gd"
 ## Lots with holes: drawn, measured, built around, walked through where there is a gate, saved and edited.
 
-const CityForTests := preload("res://tests/godot/city_for_tests.gd")
 const PATH := "user://courtyards_of_tests.tscn"
 const MAP := "user://courtyards_of_tests.geojson"
 ## Two wings with a gate of 4 m between them, or one without; a door to the street.
@@ -61,11 +60,6 @@ func _ends_at(city: PCGCity, target: Vector3) -> bool:
 	return not way.is_empty() and way[-1].distance_to(target) < 1.0
 
 
-func _settle() -> void:
-	for frame: int in 3:
-		await get_tree().process_frame
-
-
 func _wait_for_navigation(city: PCGCity) -> void:
 	await _settle()
 	for frame: int in 2000:
@@ -107,15 +101,9 @@ func test_a_city_with_courtyards_is_saved_and_edited() -> void:
 	check(city.generate_now(), "it generates: %s" % [city.get_diagnostics()])
 	var distance: float = city.get_distance(0, 1)
 	var holes: Array[PackedVector3Array] = _lot(city, "house").holes
-	var scene := PackedScene.new()
-	check_equal(scene.pack(city), OK, "it is packed")
-	check_equal(ResourceSaver.save(scene, PATH), OK, "it is saved")
+	_save(city, PATH)
 	city.free()
-	var again: PCGCity = (ResourceLoader.load(PATH, "", ResourceLoader.CACHE_MODE_IGNORE_DEEP) as PackedScene).instantiate()
-	add_child(again)
-	check_equal(await again.city_generated, true, "it is there: %s" % [again.get_diagnostics()])
-	await _settle()
-	DirAccess.remove_absolute(PATH)
+	var again: PCGCity = await _load(PATH)
 	check_equal(_lot(again, "house").holes, holes, "with its courtyard")
 	check_equal(again.get_distance(0, 1), distance, "and ways")
 	_lot(again, "house").global_position += Vector3(200, 0, 0)

@@ -1,7 +1,6 @@
-extends "res://tests/godot/suite.gd"
+extends "res://tests/godot/saved_suite.gd"
 ## Blocks that somebody drew are divided into lots; the city is saved with what was drawn.
 
-const CityForTests := preload("res://tests/godot/city_for_tests.gd")
 const PATH := "user://drawn_blocks_of_tests.tscn"
 
 
@@ -35,10 +34,6 @@ func _lots(city: PCGCity) -> Array:
 
 func _described(city: PCGCity) -> Array:
 	return _lots(city).map(func(lot: PCGLot) -> Array: return [lot.lot_id, lot.type, lot.global_position, lot.polygon])
-
-
-func _distances(city: PCGCity) -> Array:
-	return range(city.get_building_count()).map(func(i: int) -> float: return city.get_distance(0, i))
 
 
 func _outline(lot: PCGLot) -> PackedVector2Array:
@@ -80,15 +75,9 @@ func test_a_city_of_drawn_blocks_is_saved_and_drawn_on() -> void:
 	check(city.generate_now(), "it generates: %s" % [city.get_diagnostics()])
 	var described: Array = _described(city)
 	var distances: Array = _distances(city)
-	var scene := PackedScene.new()
-	check_equal(scene.pack(city), OK, "it is packed")
-	check_equal(ResourceSaver.save(scene, PATH), OK, "it is saved")
+	_save(city, PATH)
 	city.free()
-	var again: PCGCity = (ResourceLoader.load(PATH, "", ResourceLoader.CACHE_MODE_IGNORE_DEEP) as PackedScene).instantiate()
-	add_child(again)
-	check_equal(await again.city_generated, true, "it is there: %s" % [again.get_diagnostics()])
-	await get_tree().process_frame # the signal is still being told
-	DirAccess.remove_absolute(PATH)
+	var again: PCGCity = await _load(PATH)
 	check_equal(again.layout.kind, PCGLayout.KIND_BLOCKS, "with its kind")
 	check_equal(_described(again), described, "its lots")
 	check_equal(_distances(again), distances, "and ways")
