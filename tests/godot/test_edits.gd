@@ -156,6 +156,26 @@ func test_a_moved_lot_that_is_made_anew_has_the_ground_that_it_leaves_now() -> v
 	check(_city.find_path(inside, inside + Vector3(1, 0, 0)).size() > 1, "on which people walk")
 
 
+func test_what_was_taken_off_a_lot_stays_when_the_lot_is_made_anew() -> void:
+	_city.lot_types[3].rules = CityForTests.make_rules(BENCHES)
+	check(_city.generate_now(), "a city with benches: %s" % [_city.get_diagnostics()])
+	var kinds: Array[String] = ["PCGEntrance", "PCGZone", "PCGObject"]
+	for kind: String in kinds:
+		var node: Node3D = _city.find_children("*", kind, true, false)[0]
+		var lot: PCGLot = node.get_parent()
+		node.reparent(_city)
+		await _settle()
+		var count: int = _city.find_children("*", kind, true, false).size()
+		check(_city.regenerate_lot(lot.lot_id), "it is made anew: %s" % [_city.get_diagnostics()])
+		check_equal(_city.find_children("*", kind, true, false).size(), count + 1, "%s: that which was taken off, and a new one" % kind)
+		var made: Dictionary = _city.get_statistics()
+		var doors: int = made["entrances"].values().reduce(func(sum: int, of_type: int) -> int: return sum + of_type, 0)
+		check_equal([doors, made["zones"], made["objects"]], kinds.map(func(one: String) -> int: return _city.find_children("*", one, true, false).size()),
+				"each node has its record")
+	var building: int = (_city.find_children("*", "PCGEntrance", false, false)[0] as PCGEntrance).building_id
+	check(is_finite(_city.get_distance(building, (building + 1) % _city.get_building_count())), "people get to the door that was taken off")
+
+
 func test_a_monument_is_an_object_of_the_city_and_stands_in_the_way() -> void:
 	var objects: int = _city.get_statistics()["objects"]
 	var park: PCGLot = null

@@ -1,14 +1,12 @@
 #include "godot/nodes/city_edits.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
 #include <godot_cpp/core/object.hpp>
 
-#include "core/city/lot_ground.h"
 #include "godot/convert.h"
 #include "godot/nodes/city_builder.h"
 #include "godot/nodes/city_link.h"
@@ -25,7 +23,6 @@ namespace pcg {
 namespace {
 
 constexpr float arm = 1e-3f; // metres; less is rounding between the frames of nodes
-constexpr int obstacles = std::numeric_limits<int>::max(); // a layer over all lots
 
 template <typename T> T *node_of(uint64_t object) { return Object::cast_to<T>(ObjectDB::get_instance(object)); }
 
@@ -359,21 +356,18 @@ void CityEdits::release(const Node *node) {
 	set_footprint(node->get_instance_id(), {});
 }
 
-LayeredPatches CityEdits::patches() const {
-	LayeredPatches result = patches_of_lots(_state->city, placed_lots());
-	for (const auto &[object, footprint] : _footprints) {
-		result[{ obstacles, object }] = { footprint, {} };
-	}
-	return result;
-}
-
-std::vector<PlacedLot> CityEdits::placed_lots() const {
-	std::vector<PlacedLot> lots;
-	for (const auto &[object, place] : _lots) {
-		const bool is_at_home = place.motion.is_equal_approx(Transform3D());
-		lots.push_back({ object, place.lot, is_at_home ? glm::mat4(1.0f) : from_godot(place.motion), is_at_home });
-	}
-	return lots;
+void CityEdits::note_shown(const LotBuild &build) {
+	const auto note_of = [this](Kind kind, const auto &ids) {
+		const std::vector<uint64_t> &nodes = _nodes[size_t(kind)];
+		for (const auto id : ids) {
+			if (index_of(id) < nodes.size() && nodes[index_of(id)] != 0) {
+				_noted.push_back(nodes[index_of(id)]);
+			}
+		}
+	};
+	note_of(Kind::Entrance, build.entrances);
+	note_of(Kind::Zone, build.zones);
+	note_of(Kind::Object, build.objects);
 }
 
 PCGLot *CityEdits::lot_node(LotId lot) const {

@@ -53,6 +53,8 @@ public:
 	void mark_reach(std::span<const Reach> verdicts) const; // by EntranceId
 	// The node goes, and what its record says is somebody else's to decide.
 	void release(const godot::Node *node);
+	// Nodes that show what a lot was made with, before it is made anew: what was taken off the lot stays, and finds its record again.
+	void note_shown(const LotBuild &build);
 	// The node that shows a generated lot; null if it is gone.
 	PCGLot *lot_node(LotId lot) const;
 

@@ -135,6 +135,7 @@ bool PCGCity::regenerate(const std::vector<LotId> &lots) {
 			for (const Node *child : builder.clear_lot(node, lot)) {
 				_edits.release(child);
 			}
+			_edits.note_shown(_state->city.lots[index_of(lot)]);
 		}
 	}
 	CityJob job(std::move(input));
