@@ -120,6 +120,11 @@ Transform3D to_godot(glm::vec3 position, glm::vec3 facing) {
 	return Transform3D(Basis(up.cross(front), up, front), to_godot(position));
 }
 
+glm::mat4 from_godot(const Transform3D &transform) {
+	const auto column = [&](int axis) { return glm::vec4(from_godot(transform.basis.get_column(axis)), 0.0f); };
+	return { column(0), column(1), column(2), glm::vec4(from_godot(transform.origin), 1.0f) };
+}
+
 glm::vec3 facing_of(const Transform3D &transform) {
 	return from_godot(transform.basis.get_column(2).normalized());
 }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -61,6 +62,7 @@ godot::TypedArray<godot::Dictionary> to_godot(const Diagnostics &diagnostics);
 // Attribute overrides by name: numbers, true or false, text. Other values are left out, with a warning that names them.
 std::vector<AttributeOverride> from_godot(const godot::Dictionary &attributes, Diagnostics &diagnostics);
 
+glm::mat4 from_godot(const godot::Transform3D &transform);
 // A frame that stands at `position` and whose local +z (the front of Godot's models) looks along the horizontal part of `facing`.
 godot::Transform3D to_godot(glm::vec3 position, glm::vec3 facing);
 // The direction that such a frame looks along; unit length.

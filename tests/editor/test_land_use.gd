@@ -21,6 +21,8 @@ func test_attributes_are_controls_by_their_annotations() -> void:
 	check_equal(by_name["wallColor"]["type"], TYPE_COLOR, "a colour")
 	check_equal(by_name["hasDormers"]["type"], TYPE_BOOL, "a truth value")
 	check_equal(by_name["Colours"]["usage"], PROPERTY_USAGE_GROUP, "a group")
+	var names: Array = by_name.keys()
+	check_equal(names[names.find("lod") - 1], "General", "what stands before all groups has a heading of its own")
 	check(not by_name.has("plinthColor"), "names without attr are the rules' own")
 	check_equal(type.attributes, {"roofType": "hip", "wallColor": "#ff0000", "hasDormers": true}, "as the rules want it")
 	attributes.set("wallColor", Color("#00ff00"))

@@ -1,7 +1,6 @@
-extends "res://tests/godot/suite.gd"
+extends "res://tests/godot/saved_suite.gd"
 ## Lots with holes: drawn, measured, built around, walked through where there is a gate, saved and edited.
 
-const CityForTests := preload("res://tests/godot/city_for_tests.gd")
 const PATH := "user://courtyards_of_tests.tscn"
 const MAP := "user://courtyards_of_tests.geojson"
 ## Two wings with a gate of 4 m between them, or one without; a door to the street.
@@ -61,11 +60,6 @@ func _ends_at(city: PCGCity, target: Vector3) -> bool:
 	return not way.is_empty() and way[-1].distance_to(target) < 1.0
 
 
-func _settle() -> void:
-	for frame: int in 3:
-		await get_tree().process_frame
-
-
 func _wait_for_navigation(city: PCGCity) -> void:
 	await _settle()
 	for frame: int in 2000:
@@ -107,15 +101,9 @@ func test_a_city_with_courtyards_is_saved_and_edited() -> void:
 	check(city.generate_now(), "it generates: %s" % [city.get_diagnostics()])
 	var distance: float = city.get_distance(0, 1)
 	var holes: Array[PackedVector3Array] = _lot(city, "house").holes
-	var scene := PackedScene.new()
-	check_equal(scene.pack(city), OK, "it is packed")
-	check_equal(ResourceSaver.save(scene, PATH), OK, "it is saved")
+	_save(city, PATH)
 	city.free()
-	var again: PCGCity = (ResourceLoader.load(PATH, "", ResourceLoader.CACHE_MODE_IGNORE_DEEP) as PackedScene).instantiate()
-	add_child(again)
-	check_equal(await again.city_generated, true, "it is there: %s" % [again.get_diagnostics()])
-	await _settle()
-	DirAccess.remove_absolute(PATH)
+	var again: PCGCity = await _load(PATH)
 	check_equal(_lot(again, "house").holes, holes, "with its courtyard")
 	check_equal(again.get_distance(0, 1), distance, "and ways")
 	_lot(again, "house").global_position += Vector3(200, 0, 0)
@@ -140,6 +128,33 @@ func test_a_lot_and_what_stands_in_its_courtyard_are_moved_whichever_was_drawn_f
 		_lot(city, type).position += Vector3(2, 0, 1)
 	await _wait_for_navigation(city)
 	check_near(city.get_distance(0, 1), distance, 0.05, "people walk from the ring to the hut as before")
+	city.free()
+
+
+func test_a_ring_that_is_turned_stands_around_what_stays_in_its_courtyard() -> void:
+	var city: PCGCity = _drawn()
+	check(city.generate_now(), "it generates: %s" % [city.get_diagnostics()])
+	var ring: PCGLot = _lot(city, "house")
+	for turned: Vector3 in [Vector3(0, PI, 0), Vector3(PI, 0, 0), Vector3.ZERO]: # the hut stands in the middle: around, upside down, back
+		ring.rotation = turned
+		await _wait_for_navigation(city)
+		check_equal(_lot(city, "hut").get_overlapping_lots().size(), 0, "nothing overlaps")
+		check(is_finite(city.get_distance(0, 1)), "people walk from the ring to the hut, turned by %s" % turned)
+		check(_ends_at(city, Vector3(118, 0, 92)), "and into the courtyard")
+		check(not _ends_at(city, Vector3(107, 0, 80)), "but not through its wing")
+	city.free()
+
+
+func test_a_ring_that_is_moved_without_what_stood_in_its_courtyard_has_ground_there() -> void:
+	var city: PCGCity = _drawn()
+	check(city.generate_now(), "it generates: %s" % [city.get_diagnostics()])
+	_lot(city, "hut").free()
+	await _wait_for_navigation(city)
+	check(_ends_at(city, Vector3(130, 0, 80)), "where the hut stood there is ground")
+	_lot(city, "house").position += Vector3(4, 0, 2)
+	await _wait_for_navigation(city)
+	for place: Vector3 in [Vector3(130, 0, 80), Vector3(134, 0, 82)]:
+		check(_ends_at(city, place), "and where it would stand, had it been moved along")
 	city.free()
 
 

@@ -1,7 +1,6 @@
-extends "res://tests/godot/suite.gd"
+extends "res://tests/godot/saved_suite.gd"
 ## Blocks that somebody drew are divided into lots; the city is saved with what was drawn.
 
-const CityForTests := preload("res://tests/godot/city_for_tests.gd")
 const PATH := "user://drawn_blocks_of_tests.tscn"
 
 
@@ -35,10 +34,6 @@ func _lots(city: PCGCity) -> Array:
 
 func _described(city: PCGCity) -> Array:
 	return _lots(city).map(func(lot: PCGLot) -> Array: return [lot.lot_id, lot.type, lot.global_position, lot.polygon])
-
-
-func _distances(city: PCGCity) -> Array:
-	return range(city.get_building_count()).map(func(i: int) -> float: return city.get_distance(0, i))
 
 
 func _outline(lot: PCGLot) -> PackedVector2Array:
@@ -80,15 +75,9 @@ func test_a_city_of_drawn_blocks_is_saved_and_drawn_on() -> void:
 	check(city.generate_now(), "it generates: %s" % [city.get_diagnostics()])
 	var described: Array = _described(city)
 	var distances: Array = _distances(city)
-	var scene := PackedScene.new()
-	check_equal(scene.pack(city), OK, "it is packed")
-	check_equal(ResourceSaver.save(scene, PATH), OK, "it is saved")
+	_save(city, PATH)
 	city.free()
-	var again: PCGCity = (ResourceLoader.load(PATH, "", ResourceLoader.CACHE_MODE_IGNORE_DEEP) as PackedScene).instantiate()
-	add_child(again)
-	check_equal(await again.city_generated, true, "it is there: %s" % [again.get_diagnostics()])
-	await get_tree().process_frame # the signal is still being told
-	DirAccess.remove_absolute(PATH)
+	var again: PCGCity = await _load(PATH)
 	check_equal(again.layout.kind, PCGLayout.KIND_BLOCKS, "with its kind")
 	check_equal(_described(again), described, "its lots")
 	check_equal(_distances(again), distances, "and ways")
@@ -98,6 +87,34 @@ func test_a_city_of_drawn_blocks_is_saved_and_drawn_on() -> void:
 	check(again.generate_now(), "and without one block: %s" % [again.get_diagnostics()])
 	check(_lots(again).size() < described.size() and _lots(again).size() > 0, "fewer lots")
 	again.free()
+
+
+func test_heights_that_are_none_and_points_that_are_nowhere_are_told_by_the_name_of_their_node() -> void:
+	var city: PCGCity = _drawn()
+	city.lot_types = [CityForTests.make_type("house", 1, CityForTests.HOUSE), CityForTests.make_type("school", 0, CityForTests.SCHOOL)] as Array[PCGLotType]
+	var box: Path3D = city.get_node("Box")
+	for kind: PCGLayout.Kind in [PCGLayout.KIND_BLOCKS, PCGLayout.KIND_FOOTPRINTS]:
+		city.layout.kind = kind
+		for height: Variant in [INF, NAN, 1e30, 1e300, -2.0, "tall", [12.0]]:
+			box.set_meta("height", height)
+			expect_message("Box: its height is none from 0 to 2000 m and is ignored")
+			city.generate_now()
+			check_equal(city.get_diagnostics().filter(func(one: Dictionary) -> bool: return one["id"] == "bad-height").size(), 1, "told of %s" % [height])
+		for height: Variant in [12.5, 12, "12.5", 2000]:
+			box.set_meta("height", height)
+			city.generate_now()
+			check(city.get_diagnostics().all(func(one: Dictionary) -> bool: return one["id"] != "bad-height"), "%s is one" % [height])
+		for nowhere: float in [NAN, INF]:
+			box.curve.set_point_position(2, Vector3(60, 0, nowhere))
+			expect_message("Box: its outline has a corner that is nowhere")
+			check(not city.generate_now(), "no city of a path with %s" % nowhere)
+			box.curve.set_point_position(2, Vector3(60, 0, 46))
+			var corner: Polygon2D = city.get_node("Corner")
+			corner.position = Vector2(nowhere, 0)
+			expect_message("Corner: its outline has a corner that is nowhere")
+			check(not city.generate_now(), "no city of a polygon that is at %s" % nowhere)
+			corner.position = Vector2.ZERO
+	city.free()
 
 
 func test_blocks_without_room_and_none_at_all_are_told() -> void:

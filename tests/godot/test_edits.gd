@@ -139,6 +139,43 @@ func test_a_moved_and_a_deleted_lot_leave_free_ground() -> void:
 	check(way.size() > 1 and way[0].distance_to(inside) < 1.0, "the engine's map knows it too: %s" % [way])
 
 
+func test_a_moved_lot_that_is_made_anew_has_the_ground_that_it_leaves_now() -> void:
+	var door: PCGEntrance = _first(&"pcg_entrances")
+	var lot: PCGLot = door.get_parent()
+	var inside: Vector3 = door.global_basis.z * 2.5 # a house takes the front 15 m of 20
+	for node: Node in get_tree().get_nodes_in_group(&"pcg_lots"):
+		if _city.is_ancestor_of(node) and (node as PCGLot).type == "park":
+			lot.global_position = (node as PCGLot).global_position
+	inside += lot.global_position
+	await _wait_for_navigation()
+	check_equal(_city.find_path(inside, inside + Vector3(1, 0, 0)).size(), 0, "a house stands there")
+	for type: PCGLotType in _city.lot_types:
+		type.rules = CityForTests.make_rules('@StartRule\nLot --> zone("%s") Lawn.' % type.type)
+	check(_city.regenerate_lot(lot.lot_id), "it is a lawn now: %s" % [_city.get_diagnostics()])
+	await _wait_for_navigation()
+	check(_city.find_path(inside, inside + Vector3(1, 0, 0)).size() > 1, "on which people walk")
+
+
+func test_what_was_taken_off_a_lot_stays_when_the_lot_is_made_anew() -> void:
+	_city.lot_types[3].rules = CityForTests.make_rules(BENCHES)
+	check(_city.generate_now(), "a city with benches: %s" % [_city.get_diagnostics()])
+	var kinds: Array[String] = ["PCGEntrance", "PCGZone", "PCGObject"]
+	for kind: String in kinds:
+		var node: Node3D = _city.find_children("*", kind, true, false)[0]
+		var lot: PCGLot = node.get_parent()
+		node.reparent(_city)
+		await _settle()
+		var count: int = _city.find_children("*", kind, true, false).size()
+		check(_city.regenerate_lot(lot.lot_id), "it is made anew: %s" % [_city.get_diagnostics()])
+		check_equal(_city.find_children("*", kind, true, false).size(), count + 1, "%s: that which was taken off, and a new one" % kind)
+		var made: Dictionary = _city.get_statistics()
+		var doors: int = made["entrances"].values().reduce(func(sum: int, of_type: int) -> int: return sum + of_type, 0)
+		check_equal([doors, made["zones"], made["objects"]], kinds.map(func(one: String) -> int: return _city.find_children("*", one, true, false).size()),
+				"each node has its record")
+	var building: int = (_city.find_children("*", "PCGEntrance", false, false)[0] as PCGEntrance).building_id
+	check(is_finite(_city.get_distance(building, (building + 1) % _city.get_building_count())), "people get to the door that was taken off")
+
+
 func test_a_monument_is_an_object_of_the_city_and_stands_in_the_way() -> void:
 	var objects: int = _city.get_statistics()["objects"]
 	var park: PCGLot = null
@@ -312,6 +349,10 @@ func test_lots_that_were_drawn_over_each_other_know_it() -> void:
 	lots.sort_custom(func(a: PCGLot, b: PCGLot) -> bool: return a.lot_id < b.lot_id)
 	check_equal(lots[0].get_overlapping_lots(), [lots[1]] as Array[PCGLot], "the one over the other")
 	check_equal(lots[2].get_overlapping_lots().size(), 0, "but not the third")
+	var blocks: Dictionary = {}
+	for lot: PCGLot in lots:
+		blocks[lot.block_id] = true
+	check_equal(city.get_statistics()["blocks"], blocks.size(), "squares of the map without a lot are no blocks")
 
 
 func test_what_is_done_by_hand_while_a_city_is_made_holds() -> void:

@@ -1,7 +1,6 @@
-extends "res://tests/godot/suite.gd"
+extends "res://tests/godot/saved_suite.gd"
 ## A generated city as a scene: saved, loaded without generating, edited, and lots that are generated anew.
 
-const CityForTests := preload("res://tests/godot/city_for_tests.gd")
 const HOUR := 3600.0
 
 
@@ -12,29 +11,8 @@ func _grown(lots: int = 20) -> PCGCity:
 	return city
 
 
-func _settle() -> void:
-	await get_tree().process_frame
-	await get_tree().process_frame
-
-
 func _nodes(city: Node, type: String) -> Array:
 	return city.find_children("*", type, true, false)
-
-
-func _save(city: PCGCity, path: String) -> void:
-	var scene := PackedScene.new()
-	check_equal(scene.pack(city), OK, "it is packed")
-	check_equal(ResourceSaver.save(scene, path), OK, "it is saved")
-
-
-func _load(path: String) -> PCGCity:
-	var scene: PackedScene = ResourceLoader.load(path, "", ResourceLoader.CACHE_MODE_IGNORE_DEEP)
-	var city: PCGCity = scene.instantiate()
-	add_child(city)
-	check_equal(await city.city_generated, true, "it is there: %s" % [city.get_diagnostics()])
-	await get_tree().process_frame # the signal is still being told
-	DirAccess.remove_absolute(path)
-	return city
 
 
 func _records(city: PCGCity) -> Dictionary:
@@ -46,10 +24,6 @@ func _records(city: PCGCity) -> Dictionary:
 	for object: PCGObject in _nodes(city, "PCGObject"):
 		result["object %d" % object.object_id] = [object.type, object.global_transform]
 	return result
-
-
-func _distances(city: PCGCity) -> Array:
-	return range(city.get_building_count()).map(func(i: int) -> float: return city.get_distance(0, i))
 
 
 func test_a_saved_city_is_loaded_as_it_was_without_its_rules() -> void:

@@ -19,7 +19,8 @@ struct LotBuild {
 	std::vector<EntranceId> entrances;
 	std::vector<ZoneId> zones;
 	std::vector<ObjectId> objects;
-	// Convex pieces of the lot on which one can walk in from the street: nothing stands on them, nothing encloses them.
+	// Convex pieces of the lot on which one can walk in from the street: nothing stands on them, nothing encloses them. Other lots may stand on those
+	// in its courtyards: see lot_ground().
 	std::vector<std::vector<glm::vec3>> free_ground;
 };
 

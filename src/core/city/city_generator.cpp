@@ -84,7 +84,7 @@ LotOccluders occluders_for_asking(const City &city, const RulesByType &rules, co
 void build_lot(City &city, LotId id, const LotRules &rules, const LotOccluders &occluders, const CityOptions &options, Derivers &derivers) {
 	LotBuild &build = city.lots[index_of(id)];
 	build.model = derivers.derive(*rules.program, initial_shape(city.layout, id, rules), { occluders, index_of(id) });
-	build.free_ground = free_ground(city.layout.lot(id), build.model, options.free_ground, lots_within(city.layout, id));
+	build.free_ground = free_ground(city.layout.lot(id), build.model, options.free_ground);
 }
 
 // Where a lot cannot be used as what it is: neither a door nor a zone of its own type (a park).
@@ -125,7 +125,7 @@ void report_missing_rules(const Layout &layout, const RulesByType &rules, Diagno
 
 // On a lot without rules nothing stands.
 void leave_empty(City &city, LotId id, const CityOptions &options) {
-	city.lots[index_of(id)].free_ground = free_ground(city.layout.lot(id), cga::DerivationResult(), options.free_ground, lots_within(city.layout, id));
+	city.lots[index_of(id)].free_ground = free_ground(city.layout.lot(id), cga::DerivationResult(), options.free_ground);
 }
 
 } // namespace

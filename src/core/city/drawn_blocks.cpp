@@ -110,7 +110,7 @@ private:
 		add_block(_layout, border, _p, false);
 		for (size_t lot = lots_before; lot < _layout.lots.size(); ++lot) {
 			_layout.lots[lot].type = known_type(block, _p);
-			_layout.lots[lot].height = block.height;
+			_layout.lots[lot].height = sound_height(block);
 		}
 	}
 

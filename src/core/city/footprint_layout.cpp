@@ -80,7 +80,7 @@ private:
 		std::rotate(widths.begin(), widths.begin() + ptrdiff_t(front), widths.end());
 		const BlockId block = BlockId(_map.home_of(index));
 		_layout.blocks[index_of(block)].lots.push_back(LotId(_layout.lots.size()));
-		_layout.lots.push_back({ block, known_type(footprint, _p), to_ground(loop), widths, derive_seed(_p.seed, _layout.lots.size()), footprint.height });
+		_layout.lots.push_back({ block, known_type(footprint, _p), to_ground(loop), widths, derive_seed(_p.seed, _layout.lots.size()), sound_height(footprint) });
 		for (const Loop2 &hole : footprint.holes) {
 			_layout.lots.back().holes.push_back(to_ground(hole));
 		}

@@ -6,11 +6,13 @@
 // Layouts of outlines that somebody drew or measured: a real city's buildings, or lots drawn by hand.
 namespace pcg {
 
+constexpr float tallest_footprint = 2000.0f; // metres; what is said to be taller, or lower than the ground, is told and not believed
+
 struct Footprint {
 	Loop2 outline; // in plan: x east, y north, metres; counter-clockwise, without the first point again at its end
 	std::vector<Loop2> holes = {}; // courtyards, each like an outline
 	std::string type; // what it is said to be; empty: land use decides
-	float height = 0.0f; // metres; 0 = not known
+	float height = 0.0f; // [Limit: 0 to tallest_footprint] metres; 0 = not known
 	std::string name; // for messages: "feature 12"
 };
 

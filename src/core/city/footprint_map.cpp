@@ -1,6 +1,7 @@
 #include "core/city/footprint_map.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -17,12 +18,8 @@ constexpr double farthest = 50'000.0; // metres
 constexpr double most_ground = 200e6; // square metres: a box of 14 by 14 km has 125,000 tiles
 constexpr double least_area = 1.0; // square metres
 
-PlanBox box_of(const Loop2 &loop) {
-	PlanBox box;
-	for (const glm::dvec2 &point : loop) {
-		box.add(point);
-	}
-	return box;
+bool is_finite(const Loop2 &loop) {
+	return std::all_of(loop.begin(), loop.end(), [](glm::dvec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); });
 }
 
 bool is_near(const Loop2 &loop) {
@@ -53,6 +50,9 @@ bool check(const Footprint &footprint, const Loop2 &loop, const char *what, Diag
 		diagnostics.error("bad-footprint", footprint.name + ": " + what + problem, hint);
 		return false;
 	};
+	if (!is_finite(loop)) {
+		return error(" has a corner that is nowhere: its coordinates are not finite numbers", "look at its points, and at its place in the scene");
+	}
 	if (!is_near(loop)) {
 		return error(" lies farther than 50 km from the origin", "cut the map into smaller ones");
 	}
@@ -63,6 +63,9 @@ bool check(const Footprint &footprint, const Loop2 &loop, const char *what, Diag
 }
 
 void check(const Footprint &footprint, Diagnostics &diagnostics) {
+	if (footprint.height != sound_height(footprint)) {
+		diagnostics.warning("bad-height", footprint.name + ": its height is none from 0 to 2000 m and is ignored", "write metres as a number");
+	}
 	bool is_sound = check(footprint, footprint.outline, "its outline", diagnostics);
 	for (const Loop2 &hole : footprint.holes) {
 		is_sound = is_sound && check(footprint, hole, "a hole in it", diagnostics);
@@ -73,14 +76,10 @@ void check(const Footprint &footprint, Diagnostics &diagnostics) {
 	}
 }
 
-bool is_within(const PlanBox &inner, const PlanBox &outer) {
-	return inner.min.x >= outer.min.x && inner.min.y >= outer.min.y && inner.max.x <= outer.max.x && inner.max.y <= outer.max.y;
-}
-
 void check_extent(const std::vector<Footprint> &footprints, Diagnostics &diagnostics) {
-	PlanBox all;
+	Box2 all;
 	for (const Footprint &footprint : footprints) {
-		const PlanBox box = box_of(footprint.outline);
+		const Box2 box = box_of(footprint.outline);
 		all.add(box.min);
 		all.add(box.max);
 	}
@@ -94,11 +93,6 @@ void check_extent(const std::vector<Footprint> &footprints, Diagnostics &diagnos
 
 } // namespace
 
-void PlanBox::add(glm::dvec2 point) {
-	min = glm::min(min, point);
-	max = glm::max(max, point);
-}
-
 bool check_footprints(const std::vector<Footprint> &footprints, Diagnostics &diagnostics) {
 	const size_t before = diagnostics.error_count();
 	if (footprints.empty()) {
@@ -111,6 +105,10 @@ bool check_footprints(const std::vector<Footprint> &footprints, Diagnostics &dia
 		check_extent(footprints, diagnostics);
 	}
 	return diagnostics.error_count() == before;
+}
+
+float sound_height(const Footprint &footprint) {
+	return footprint.height >= 0.0f && footprint.height <= tallest_footprint ? footprint.height : 0.0f; // NaN: 0
 }
 
 std::vector<OutlineOverlap> report_overlaps(const std::vector<Footprint> &footprints, Diagnostics &diagnostics) {
@@ -159,7 +157,7 @@ FootprintMap::FootprintMap(const std::vector<Footprint> &footprints, double arou
 Loop2 FootprintMap::tile_outline(uint32_t tile) const {
 	const glm::dvec2 size = (_extent.max - _extent.min) / glm::dvec2(_columns, _rows);
 	const glm::dvec2 low = _extent.min + size * glm::dvec2(tile % _columns, tile / _columns);
-	return PlanBox{ low, low + size }.outline();
+	return Box2{ low, low + size }.outline();
 }
 
 std::vector<uint32_t> FootprintMap::tiles_around(uint32_t tile) const {
@@ -187,7 +185,7 @@ glm::uvec2 FootprintMap::cell_of(glm::dvec2 point) const {
 	return { uint32_t(std::clamp(cell.x, 0.0, _columns - 1.0)), uint32_t(std::clamp(cell.y, 0.0, _rows - 1.0)) };
 }
 
-void FootprintMap::for_tiles(const PlanBox &box, auto action) const {
+void FootprintMap::for_tiles(const Box2 &box, auto action) const {
 	const glm::uvec2 low = cell_of(box.min), high = cell_of(box.max);
 	for (uint32_t row = low.y; row <= high.y; ++row) {
 		for (uint32_t column = low.x; column <= high.x; ++column) {
@@ -211,11 +209,7 @@ uint32_t FootprintMap::around(uint32_t footprint) const {
 	double smallest = INFINITY;
 	for (const uint32_t i : _tiles[home_of(footprint)]) {
 		const double area = signed_area(_footprints[i].outline);
-		if (area <= signed_area(inner) || area >= smallest || !is_within(_boxes[footprint], _boxes[i])) {
-			continue;
-		}
-		const auto has_it = [&](const Loop2 &hole) { return shared_area({ hole }, { inner }) > signed_area(inner) / 4.0; };
-		if (std::any_of(_footprints[i].holes.begin(), _footprints[i].holes.end(), has_it)) {
+		if (area < smallest && stands_in_hole(inner, polygon_of(_footprints[i]))) {
 			found = i;
 			smallest = area;
 		}
@@ -239,7 +233,7 @@ Loops2 FootprintMap::open_ground(uint32_t tile) const {
 
 double FootprintMap::free_way(glm::dvec2 from, glm::dvec2 direction, double reach) const {
 	double nearest = reach;
-	PlanBox way;
+	Box2 way;
 	way.add(from);
 	way.add(from + direction * reach);
 	for_tiles(way, [&](uint32_t tile) {

@@ -1,24 +1,20 @@
 #pragma once
 
-#include <cmath>
 #include <string>
 #include <vector>
 
 #include "core/city/footprint_layout.h"
 #include "core/city/lot_overlaps.h"
+#include "core/geometry/box2.h"
 
 // Where footprints lie: in tiles, so that whatever is laid over them meets few.
 namespace pcg {
 
-struct PlanBox {
-	glm::dvec2 min{ INFINITY }, max{ -INFINITY };
-
-	void add(glm::dvec2 point);
-	Loop2 outline() const { return { min, { max.x, min.y }, max, { min.x, max.y } }; }
-};
-
-// False, and errors that name each footprint that cannot be laid out, or say that all of them spread too far.
+// False, and errors that name each footprint that cannot be laid out, or say that all of them spread too far. Warnings of heights that are none.
 bool check_footprints(const std::vector<Footprint> &footprints, Diagnostics &diagnostics);
+
+// Its height if that is one, else 0: not known.
+float sound_height(const Footprint &footprint);
 
 // Those that share ground, each pair with a warning that names both.
 std::vector<OutlineOverlap> report_overlaps(const std::vector<Footprint> &footprints, Diagnostics &diagnostics);
@@ -51,11 +47,11 @@ public:
 
 private:
 	glm::uvec2 cell_of(glm::dvec2 point) const;
-	void for_tiles(const PlanBox &box, auto action) const;
+	void for_tiles(const Box2 &box, auto action) const;
 
 	const std::vector<Footprint> &_footprints;
-	std::vector<PlanBox> _boxes;
-	PlanBox _extent;
+	std::vector<Box2> _boxes;
+	Box2 _extent;
 	uint32_t _columns = 1, _rows = 1;
 	std::vector<std::vector<uint32_t>> _tiles; // footprints
 };

@@ -10,7 +10,6 @@
 
 #include "core/cga/instances.h"
 #include "core/city/cell_grid.h"
-#include "core/geometry/convex_parts.h"
 
 namespace pcg {
 
@@ -115,21 +114,9 @@ void block_instances(const cga::DerivationResult &model, double low, double high
 	}
 }
 
-// In convex parts: what a grid blocks reaches from side to side of each row.
-void block_plan(const LotFrame &frame, const std::vector<glm::vec3> &outline, CellGrid &grid) {
-	Loop2 plan;
-	for (const glm::vec3 &corner : outline) {
-		plan.push_back(glm::dvec2(frame.to_lot(corner)));
-	}
-	for (const Loops2 &part : convex_parts({ plan }, INFINITY)) {
-		grid.block({ part[0].begin(), part[0].end() });
-	}
-}
-
 } // namespace
 
-std::vector<std::vector<glm::vec3>> free_ground(const Lot &lot, const cga::DerivationResult &model, const FreeGroundOptions &options,
-		const std::vector<std::vector<glm::vec3>> &taken) {
+std::vector<std::vector<glm::vec3>> free_ground(const Lot &lot, const cga::DerivationResult &model, const FreeGroundOptions &options) {
 	if (lot.polygon.size() < 3) {
 		return {};
 	}
@@ -139,9 +126,6 @@ std::vector<std::vector<glm::vec3>> free_ground(const Lot &lot, const cga::Deriv
 		outline.push_back(frame.to_lot(corner));
 	}
 	CellGrid grid(outline, options.cell);
-	for (const std::vector<glm::vec3> &other : taken) {
-		block_plan(frame, other, grid);
-	}
 	BandCutter band(frame, options.step_height, options.head_height);
 	for (const MeshFace &face : model.mesh.faces) {
 		grid.block(band.cut(model.mesh.loop(face.first_loop)));

@@ -18,9 +18,8 @@ struct FreeGroundOptions {
 };
 
 // Objects do not stand in the way. Convex pieces, counter-clockwise from above, in world coordinates. Ground that is not connected with a street edge of the lot (inside of
-// buildings, closed courtyards) is left out, so that nobody is ever sent there. The ground of the lot's holes counts, except `taken`: outlines of what else stands
-// in them. Rectangles along the lot's front, cut by its outline.
-std::vector<std::vector<glm::vec3>> free_ground(const Lot &lot, const cga::DerivationResult &model, const FreeGroundOptions &options = {},
-		const std::vector<std::vector<glm::vec3>> &taken = {});
+// buildings, closed courtyards) is left out, so that nobody is ever sent there. The ground of the lot's holes counts, also where other
+// lots stand in them. Rectangles along the lot's front, cut by its outline.
+std::vector<std::vector<glm::vec3>> free_ground(const Lot &lot, const cga::DerivationResult &model, const FreeGroundOptions &options = {});
 
 } // namespace pcg

@@ -39,50 +39,51 @@ Polygon part(const Polygon &polygon, glm::vec3 a, glm::vec3 b, float sign) {
 }
 
 // `polygon` without the convex `hole`, in convex parts.
-void add_without(const WalkablePiece &piece, const Polygon &hole, std::vector<WalkablePiece> &parts) {
-	Polygon rest = piece.polygon;
-	std::vector<WalkablePiece> outside;
+void add_without(const Polygon &polygon, const Polygon &hole, std::vector<Polygon> &parts) {
+	Polygon rest = polygon;
+	std::vector<Polygon> outside;
 	for (size_t i = 0; i < hole.size() && !rest.empty(); ++i) {
 		const glm::vec3 a = hole[i], b = hole[(i + 1) % hole.size()];
 		if (Polygon beyond = part(rest, a, b, -1.0f); !beyond.empty()) {
-			outside.push_back({ std::move(beyond), piece.cost });
+			outside.push_back(std::move(beyond));
 		}
 		rest = part(rest, a, b, 1.0f);
 	}
 	if (rest.empty()) { // they do not meet: in one piece
-		parts.push_back(piece);
+		parts.push_back(polygon);
 	} else {
 		parts.insert(parts.end(), std::make_move_iterator(outside.begin()), std::make_move_iterator(outside.end()));
 	}
 }
 
-std::vector<Polygon> convex_holes(const GroundPatch &patch) {
-	Loops2 kept;
-	for (const Polygon &outline : patch.kept) {
-		kept.push_back(to_plan(outline));
+std::vector<Polygon> convex(const Polygon &outline) {
+	std::vector<Polygon> parts;
+	if (outline.size() < 3) {
+		return parts;
 	}
-	const Loops2 whole{ to_plan(patch.outline) };
-	std::vector<Polygon> holes;
-	for (const Loops2 &polygon : kept.empty() ? Polygons2{ whole } : overlay(whole, kept, OverlayKind::Difference)) {
-		for (const Loops2 &part : convex_parts(polygon, INFINITY)) {
-			Polygon &hole = holes.emplace_back();
-			for (const glm::dvec2 &corner : part[0]) {
-				hole.push_back({ float(corner.x), patch.outline[0].y, float(-corner.y) });
-			}
+	for (const Loops2 &loops : convex_parts({ to_plan(outline) }, INFINITY)) {
+		Polygon &convex_part = parts.emplace_back();
+		for (const glm::dvec2 &corner : loops[0]) {
+			convex_part.push_back({ float(corner.x), outline[0].y, float(-corner.y) });
 		}
 	}
-	return holes;
+	return parts;
 }
 
 } // namespace
 
 void apply_patches(std::vector<WalkablePiece> &ground, std::span<const GroundPatch> patches, float cost) {
 	std::vector<WalkablePiece> left;
+	std::vector<Polygon> parts;
 	for (const GroundPatch &patch : patches) {
-		for (const Polygon &hole : patch.outline.size() < 3 ? std::vector<Polygon>() : convex_holes(patch)) {
+		for (const Polygon &hole : convex(patch.outline)) {
 			left.clear();
 			for (const WalkablePiece &piece : ground) {
-				add_without(piece, hole, left);
+				parts.clear();
+				add_without(piece.polygon, hole, parts);
+				for (Polygon &polygon : parts) {
+					left.push_back({ std::move(polygon), piece.cost });
+				}
 			}
 			std::swap(ground, left);
 		}
@@ -90,6 +91,34 @@ void apply_patches(std::vector<WalkablePiece> &ground, std::span<const GroundPat
 			ground.push_back({ piece, cost });
 		}
 	}
+}
+
+std::vector<Polygon> pieces_within(std::span<const Polygon> pieces, const Polygon &outline) {
+	std::vector<Polygon> within;
+	for (const Polygon &window : convex(outline)) {
+		for (Polygon rest : pieces) {
+			for (size_t i = 0; i < window.size() && !rest.empty(); ++i) {
+				rest = part(rest, window[i], window[(i + 1) % window.size()], 1.0f);
+			}
+			if (!rest.empty()) {
+				within.push_back(std::move(rest));
+			}
+		}
+	}
+	return within;
+}
+
+std::vector<Polygon> pieces_without(std::vector<Polygon> pieces, std::span<const Polygon> outlines) {
+	for (const Polygon &outline : outlines) {
+		for (const Polygon &hole : convex(outline)) {
+			std::vector<Polygon> left;
+			for (const Polygon &piece : pieces) {
+				add_without(piece, hole, left);
+			}
+			pieces = std::move(left);
+		}
+	}
+	return pieces;
 }
 
 } // namespace pcg

@@ -147,12 +147,12 @@ std::vector<std::vector<glm::vec3>> lots_within(const Layout &layout, LotId lot)
 	return outlines;
 }
 
-int lots_around(const Layout &layout, LotId lot) {
-	int count = 0;
-	for (LotId around = layout.lot(lot).around; is_valid(around) && count < int(layout.lots.size()); around = layout.lot(around).around) {
-		++count;
+std::vector<LotId> lots_around(const Layout &layout, LotId lot) {
+	std::vector<LotId> result;
+	for (LotId around = layout.lot(lot).around; is_valid(around) && result.size() < layout.lots.size(); around = layout.lot(around).around) {
+		result.push_back(around);
 	}
-	return count;
+	return result;
 }
 
 std::string lot_name(const Layout &layout, LotId lot) {

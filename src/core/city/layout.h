@@ -126,8 +126,8 @@ LayoutParameters layout_for_lots(uint32_t count, LayoutParameters base = {});
 
 // Outlines of the lots that stand in a lot's courtyards.
 std::vector<std::vector<glm::vec3>> lots_within(const Layout &layout, LotId lot);
-// In how many courtyards, one within the other, it stands.
-int lots_around(const Layout &layout, LotId lot);
+// In whose courtyards, one within the other, it stands; the nearest first.
+std::vector<LotId> lots_around(const Layout &layout, LotId lot);
 
 // "lot 12 (house)", for messages.
 std::string lot_name(const Layout &layout, LotId lot);

@@ -1,32 +1,18 @@
 #include "core/city/lot_overlaps.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include <glm/common.hpp>
 
-#include "core/geometry/polygon.h"
+#include "core/geometry/box2.h"
 
 namespace pcg {
 
 namespace {
 
-struct Box {
-	glm::dvec2 min{ INFINITY }, max{ -INFINITY };
-};
-
-Box box_of(const Loop2 &loop) {
-	Box box;
-	for (const glm::dvec2 &point : loop) {
-		box.min = glm::min(box.min, point);
-		box.max = glm::max(box.max, point);
-	}
-	return box;
-}
-
 // What the boxes share bounds what the polygons share: neighbours that touch need no more than this.
-double shared_area(const Box &a, const Box &b) {
+double shared_area(const Box2 &a, const Box2 &b) {
 	const glm::dvec2 size = glm::min(a.max, b.max) - glm::max(a.min, b.min);
 	return std::max(0.0, size.x) * std::max(0.0, size.y);
 }
@@ -43,9 +29,19 @@ double shared_area(const Loops2 &a, const Loops2 &b) {
 	return area;
 }
 
+bool stands_in_hole(const Loop2 &inner, const Loops2 &outer) {
+	const double area = signed_area(inner);
+	if (outer.size() < 2 || area >= signed_area(outer[0]) || !is_within(box_of(inner), box_of(outer[0]))) {
+		return false;
+	}
+	return std::any_of(outer.begin() + 1, outer.end(), [&](const Loop2 &hole) {
+		return shared_area({ Loop2(hole.rbegin(), hole.rend()) }, { inner }) > area / 4.0; // half of it: `area` is doubled
+	});
+}
+
 // From west to east: a list of those whose boxes reach as far as the next one's western side.
 std::vector<OutlineOverlap> find_overlaps(std::span<const Loops2> polygons, const std::vector<bool> &is_moved, double tolerance) {
-	std::vector<Box> boxes;
+	std::vector<Box2> boxes;
 	for (const Loops2 &polygon : polygons) {
 		boxes.push_back(box_of(polygon[0]));
 	}

@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/city/lot_ground.h"
 #include "core/semantics/city_query.h"
 
 namespace pcg {
@@ -18,8 +19,8 @@ constexpr float threshold_search = 3.0f;
 std::vector<Zone> walkable_around(const City &city, LotId lot) {
 	std::vector<Zone> pieces;
 	const auto add_free_ground = [&](LotId of) {
-		for (const std::vector<glm::vec3> &piece : city.lots[index_of(of)].free_ground) {
-			pieces.push_back({ TypeId::Invalid, piece, 0.0f, lot, false });
+		for (std::vector<glm::vec3> &piece : lot_ground(city, of)) {
+			pieces.push_back({ TypeId::Invalid, std::move(piece), 0.0f, lot, false });
 		}
 	};
 	add_free_ground(lot);

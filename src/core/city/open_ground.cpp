@@ -27,15 +27,7 @@ double shared_length(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 d) {
 	return std::min(length, glm::dot(c - a, along)) - std::max(0.0, glm::dot(d - a, along));
 }
 
-PlanBox box_of(const Loop2 &loop) {
-	PlanBox box;
-	for (const glm::dvec2 &point : loop) {
-		box.add(point);
-	}
-	return box;
-}
-
-bool may_touch(const PlanBox &a, const PlanBox &b) {
+bool may_touch(const Box2 &a, const Box2 &b) {
 	return a.min.x <= b.max.x + same_line && b.min.x <= a.max.x + same_line && a.min.y <= b.max.y + same_line && b.min.y <= a.max.y + same_line;
 }
 
@@ -59,7 +51,7 @@ OpenGround::OpenGround(const FootprintMap &map) : _map(map) {
 	for (uint32_t tile = 0; tile < map.tile_count(); ++tile) {
 		_pieces.push_back(map.open_ground(tile));
 		_is_reached.emplace_back(_pieces.back().size(), false);
-		std::vector<PlanBox> &boxes = _boxes.emplace_back();
+		std::vector<Box2> &boxes = _boxes.emplace_back();
 		for (const Loop2 &piece : _pieces.back()) {
 			boxes.push_back(box_of(piece));
 		}
@@ -77,7 +69,7 @@ OpenGround::OpenGround(const FootprintMap &map) : _map(map) {
 	}
 }
 
-void OpenGround::reach(uint32_t tile, const Loop2 &from, const PlanBox &box, std::vector<std::pair<uint32_t, uint32_t>> &waiting) {
+void OpenGround::reach(uint32_t tile, const Loop2 &from, const Box2 &box, std::vector<std::pair<uint32_t, uint32_t>> &waiting) {
 	for (uint32_t i = 0; i < _pieces[tile].size(); ++i) {
 		if (!_is_reached[tile][i] && may_touch(box, _boxes[tile][i]) && has_way(from, _pieces[tile][i])) {
 			_is_reached[tile][i] = true;

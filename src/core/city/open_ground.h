@@ -16,11 +16,11 @@ public:
 	bool is_enclosed(glm::dvec2 point) const;
 
 private:
-	void reach(uint32_t tile, const Loop2 &from, const PlanBox &box, std::vector<std::pair<uint32_t, uint32_t>> &waiting);
+	void reach(uint32_t tile, const Loop2 &from, const Box2 &box, std::vector<std::pair<uint32_t, uint32_t>> &waiting);
 
 	const FootprintMap &_map;
 	std::vector<Loops2> _pieces; // by tile
-	std::vector<std::vector<PlanBox>> _boxes;
+	std::vector<std::vector<Box2>> _boxes;
 	std::vector<std::vector<bool>> _is_reached; // from the edge, by tile and piece
 };
 

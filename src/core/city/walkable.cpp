@@ -8,6 +8,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/city/lot_ground.h"
+
 namespace pcg {
 
 namespace {
@@ -90,8 +92,8 @@ std::vector<glm::vec3> tile_faces(const City &city, const Tile &tile, float bord
 	}
 	for (size_t i = 0; i < city.lots.size(); ++i) {
 		if (is_near(city.layout.lots[i].polygon, min, max)) {
-			for (const std::vector<glm::vec3> &piece : city.lots[i].free_ground) {
-				pieces.push_back({ piece });
+			for (std::vector<glm::vec3> &piece : lot_ground(city, LotId(i))) {
+				pieces.push_back({ std::move(piece) });
 			}
 		}
 	}
@@ -111,9 +113,9 @@ NavRegion city_nav_region(const City &city, const GroundCosts &costs) {
 	for (const Ground &ground : city.layout.ground) {
 		add_ground(pieces, ground.polygon, cost_of(ground.kind, costs));
 	}
-	for (const LotBuild &lot : city.lots) {
-		for (const std::vector<glm::vec3> &piece : lot.free_ground) {
-			pieces.push_back({ piece, costs.lot });
+	for (size_t i = 0; i < city.lots.size(); ++i) {
+		for (std::vector<glm::vec3> &piece : lot_ground(city, LotId(i))) {
+			pieces.push_back({ std::move(piece), costs.lot });
 		}
 	}
 	apply_patches(pieces, city.patches, costs.lot);

@@ -13,7 +13,6 @@ namespace pcg {
 namespace {
 
 constexpr double level_height = 3.0; // metres
-constexpr double tallest = 2000.0; // metres
 constexpr double largest_coordinate = 1e7;
 
 class GeoJsonReader {
@@ -92,7 +91,7 @@ private:
 		} else if (const std::optional<std::string> text = value.is_text() ? value.text() : std::nullopt) {
 			std::from_chars(text->data(), text->data() + text->size(), number);
 		}
-		if (!(number >= 0.0 && number <= tallest)) {
+		if (!(number >= 0.0 && number <= double(tallest_footprint))) {
 			value.warning("bad-height", "this is no height from 0 to 2000 and is ignored", "write metres as a number");
 			return 0.0;
 		}

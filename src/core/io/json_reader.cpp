@@ -27,12 +27,17 @@ public:
 	bool end_object() override { return true; }
 	bool start_array(size_t) override { return true; }
 	bool end_array() override { return true; }
-	bool parse_error(size_t position, const std::string &, const nlohmann::detail::exception &) override {
+	bool parse_error(size_t position, const std::string &token, const nlohmann::detail::exception &exception) override {
+		constexpr int number_overflow = 406; // the library's
 		at = position;
+		if (exception.id == number_overflow) {
+			number = token;
+		}
 		return false;
 	}
 
 	size_t at = 0; // bytes read, the offending one included
+	std::string number; // just read, and larger than any that can be kept; empty: something else is wrong
 };
 
 void set_place(Diagnostic &diagnostic, std::string_view text, size_t at) {
@@ -45,8 +50,20 @@ void set_place(Diagnostic &diagnostic, std::string_view text, size_t at) {
 	diagnostic.source = at - line_start < longest ? std::string(first_bytes(text.substr(line_start, line_end - line_start), longest)) : std::string();
 }
 
-Diagnostic parse_diagnostic(std::string_view text, const std::string &file, size_t found) {
-	const size_t at = std::min(found > 0 ? found - 1 : 0, text.size());
+Diagnostic overflow_diagnostic(std::string_view text, const std::string &file, const ErrorFinder &finder) {
+	constexpr size_t shown = 40; // characters; a number may have thousands of digits
+	const std::string number = finder.number.size() > shown ? finder.number.substr(0, shown) + ".." : finder.number;
+	Diagnostic diagnostic{ Severity::Error, "bad-json", file, 0, 0, "the number " + number + " is too large: no more than 1.7e308 can be kept",
+		"correct this value in the file", {} };
+	set_place(diagnostic, text, std::min(finder.at, text.size()) - std::min(finder.number.size(), finder.at));
+	return diagnostic;
+}
+
+Diagnostic parse_diagnostic(std::string_view text, const std::string &file, const ErrorFinder &finder) {
+	if (!finder.number.empty()) {
+		return overflow_diagnostic(text, file, finder);
+	}
+	const size_t at = std::min(finder.at > 0 ? finder.at - 1 : 0, text.size());
 	Diagnostic diagnostic{ Severity::Error, "bad-json", file, 0, 0, {}, "a comma, a quote or a bracket may be missing before it", {} };
 	const char c = at < text.size() ? text[at] : '\0';
 	if (at >= text.size()) {
@@ -73,7 +90,7 @@ std::string number_text(double value) {
 std::optional<Json> parse_json(std::string_view text, const std::string &file, Diagnostics &diagnostics) {
 	ErrorFinder finder;
 	if (!Json::sax_parse(text.begin(), text.end(), &finder)) {
-		diagnostics.add(parse_diagnostic(text, file, finder.at));
+		diagnostics.add(parse_diagnostic(text, file, finder));
 		return std::nullopt;
 	}
 	Json document = Json::parse(text.begin(), text.end(), nullptr, false);

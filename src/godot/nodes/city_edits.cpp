@@ -1,13 +1,12 @@
 #include "godot/nodes/city_edits.h"
 
 #include <algorithm>
-#include <limits>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
 #include <godot_cpp/core/object.hpp>
 
-#include "core/city/free_ground.h"
 #include "godot/convert.h"
 #include "godot/nodes/city_builder.h"
 #include "godot/nodes/city_link.h"
@@ -24,7 +23,6 @@ namespace pcg {
 namespace {
 
 constexpr float arm = 1e-3f; // metres; less is rounding between the frames of nodes
-enum PatchKind { Vacated, Moved, Obstacle = std::numeric_limits<int>::max() }; // between the last two, lots that were moved and stand in courtyards
 
 template <typename T> T *node_of(uint64_t object) { return Object::cast_to<T>(ObjectDB::get_instance(object)); }
 
@@ -78,6 +76,7 @@ void CityEdits::follow(std::shared_ptr<CityState> state) {
 	_lot_of_building.clear();
 	_footprints.clear();
 	_overlaps.clear();
+	_changes = {};
 }
 
 void CityEdits::forget_ids() {
@@ -117,9 +116,8 @@ void CityEdits::restore_ids() {
 CityEdits::Changes CityEdits::take_in() {
 	std::vector<uint64_t> noted = std::move(_noted);
 	_noted.clear();
-	_changes = {};
 	if (!_state) {
-		return _changes;
+		return {};
 	}
 	const uint64_t revision = _state->city.model.revision();
 	std::unordered_set<uint64_t> done;
@@ -134,7 +132,7 @@ CityEdits::Changes CityEdits::take_in() {
 		}
 	}
 	_changes.has_edits = _state->city.model.revision() != revision;
-	return _changes;
+	return std::exchange(_changes, {});
 }
 
 bool CityEdits::is_ours(Node3D *node) const {
@@ -358,33 +356,18 @@ void CityEdits::release(const Node *node) {
 	set_footprint(node->get_instance_id(), {});
 }
 
-CityEdits::Patches CityEdits::patches() const {
-	Patches result;
-	const City &city = _state->city;
-	std::vector<bool> is_at_home(city.lots.size());
-	for (const auto &[object, place] : _lots) {
-		if (place.motion.is_equal_approx(Transform3D())) {
-			is_at_home[index_of(place.lot)] = true;
-			continue;
+void CityEdits::note_shown(const LotBuild &build) {
+	const auto note_of = [this](Kind kind, const auto &ids) {
+		const std::vector<uint64_t> &nodes = _nodes[size_t(kind)];
+		for (const auto id : ids) {
+			if (index_of(id) < nodes.size() && nodes[index_of(id)] != 0) {
+				_noted.push_back(nodes[index_of(id)]);
+			}
 		}
-		GroundPatch patch;
-		patch.outline = placed(place.motion, city.layout.lot(place.lot).polygon);
-		for (const std::vector<glm::vec3> &piece : city.lots[index_of(place.lot)].free_ground) {
-			patch.pieces.push_back(placed(place.motion, piece));
-		}
-		result[{ Moved + lots_around(city.layout, place.lot), object }] = std::move(patch); // what stands in a courtyard lies over it
-	}
-	for (size_t i = 0; i < is_at_home.size(); ++i) {
-		if (!is_at_home[i]) {
-			const Lot &lot = city.layout.lots[i];
-			const std::vector<std::vector<glm::vec3>> within = lots_within(city.layout, LotId(i));
-			result[{ Vacated, i }] = { lot.polygon, free_ground(lot, cga::DerivationResult(), {}, within), within };
-		}
-	}
-	for (const auto &[object, footprint] : _footprints) {
-		result[{ Obstacle, object }] = { footprint, {} };
-	}
-	return result;
+	};
+	note_of(Kind::Entrance, build.entrances);
+	note_of(Kind::Zone, build.zones);
+	note_of(Kind::Object, build.objects);
 }
 
 PCGLot *CityEdits::lot_node(LotId lot) const {

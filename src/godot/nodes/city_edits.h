@@ -36,6 +36,7 @@ public:
 	// Instead: makes room for the ids that the noted nodes bring along, so that none of them changes: a city that was saved comes back.
 	void restore_ids();
 	void note(const godot::Node3D *node) { _noted.push_back(node->get_instance_id()); }
+	void note_new_ground() { _changes.has_new_ground = true; } // what lots leave free is not as before
 
 	struct Changes {
 		bool has_edits = false; // the model is not as before
@@ -46,13 +47,14 @@ public:
 	Changes take_in();
 	// Removes the records whose nodes were freed before they were taken in, or whose lot was before they were made. Call it when all nodes have been.
 	void remove_unclaimed();
-	// What the lots and objects that stand in the tree do to the ground for walking. By what changes it: the kind, then whose it is.
-	using Patches = std::map<std::pair<int, uint64_t>, GroundPatch>;
-	Patches patches() const;
+	// What the lots and objects that stand in the tree do to the ground for walking.
+	LayeredPatches patches() const;
 	void mark_overlaps(); // on the nodes of lots, after lots came, moved or went
 	void mark_reach(std::span<const Reach> verdicts) const; // by EntranceId
 	// The node goes, and what its record says is somebody else's to decide.
 	void release(const godot::Node *node);
+	// Nodes that show what a lot was made with, before it is made anew: what was taken off the lot stays, and finds its record again.
+	void note_shown(const LotBuild &build);
 	// The node that shows a generated lot; null if it is gone.
 	PCGLot *lot_node(LotId lot) const;
 
@@ -76,6 +78,7 @@ private:
 	void take_in_zone(PCGZone *node);
 	void take_in_object(PCGObject *node);
 	bool is_ours(godot::Node3D *node) const;
+	std::vector<PlacedLot> placed_lots() const;
 	godot::Transform3D frame_of(const godot::Node3D *node) const; // in the city
 	BuildingId building_for(PCGEntrance *node);
 	template <typename Id> Id take_id(const godot::Node3D *node, const CityLink &link, size_t count);
@@ -89,7 +92,7 @@ private:
 	std::unordered_map<uint64_t, BuildingId> _building_of_lot; // by object
 	std::unordered_map<uint32_t, uint64_t> _lot_of_building;
 	std::map<uint64_t, std::vector<glm::vec3>> _footprints; // by object
-	Changes _changes;
+	Changes _changes; // since they were taken in
 	CityOverlaps _overlaps;
 };
 

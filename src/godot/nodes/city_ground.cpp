@@ -10,7 +10,7 @@ namespace pcg {
 
 namespace {
 
-bool is_same(const GroundPatch &a, const GroundPatch &b) { return a.outline == b.outline && a.pieces == b.pieces && a.kept == b.kept; }
+bool is_same(const GroundPatch &a, const GroundPatch &b) { return a.outline == b.outline && a.pieces == b.pieces; }
 
 void add_to(PlanBox &box, const NavRegion &region) {
 	for (const glm::vec3 &vertex : region.vertices) {
@@ -20,12 +20,12 @@ void add_to(PlanBox &box, const NavRegion &region) {
 
 } // namespace
 
-CityGround::CityGround(std::shared_ptr<CityState> state, const BakeSettings &settings, CityEdits::Patches patches)
+CityGround::CityGround(std::shared_ptr<CityState> state, const BakeSettings &settings, LayeredPatches patches)
 	: _state(std::move(state)), _settings(settings) {
 	set_patches(std::move(patches));
 }
 
-void CityGround::set_patches(CityEdits::Patches patches) {
+void CityGround::set_patches(LayeredPatches patches) {
 	_patches = std::move(patches);
 	_state->city.patches.clear();
 	for (const auto &[key, patch] : _patches) {
@@ -33,7 +33,7 @@ void CityGround::set_patches(CityEdits::Patches patches) {
 	}
 }
 
-void CityGround::change(CityEdits::Patches patches) {
+void CityGround::change(LayeredPatches patches) {
 	for (const auto &[key, patch] : _patches) {
 		const auto found = patches.find(key);
 		if (found == patches.end() || !is_same(found->second, patch)) {

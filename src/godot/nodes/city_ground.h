@@ -17,13 +17,13 @@ namespace pcg {
 class CityGround {
 public:
 	// `patches`: what the state's regions are, or will be, baked with.
-	CityGround(std::shared_ptr<CityState> state, const BakeSettings &settings, CityEdits::Patches patches);
+	CityGround(std::shared_ptr<CityState> state, const BakeSettings &settings, LayeredPatches patches);
 	~CityGround();
 	CityGround(const CityGround &) = delete;
 	CityGround &operator=(const CityGround &) = delete;
 
 	// What edits make of the ground; tiles where that differs from before have to be baked.
-	void change(CityEdits::Patches patches);
+	void change(LayeredPatches patches);
 	void touch(LotId lot);
 	bool is_idle() const { return _dirty.empty() && !_baker && !_joiner.joinable(); }
 	// A slice of work on the main thread. True when a new ground has come into force.
@@ -36,14 +36,14 @@ public:
 	const std::vector<Baked> &baked() const { return _baked; }
 
 private:
-	void set_patches(CityEdits::Patches patches);
+	void set_patches(LayeredPatches patches);
 	void touch(const std::vector<glm::vec3> &polygon);
 	void begin_baking();
 	void collect_baked();
 
 	std::shared_ptr<CityState> _state;
 	BakeSettings _settings;
-	CityEdits::Patches _patches;
+	LayeredPatches _patches;
 	std::set<uint32_t> _dirty; // tiles
 	std::unique_ptr<TileBaker> _baker;
 	std::vector<Baked> _baked;

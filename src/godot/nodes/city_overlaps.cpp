@@ -1,50 +1,24 @@
 #include "godot/nodes/city_overlaps.h"
 
-#include <algorithm>
 #include <map>
 
 #include <godot_cpp/core/object.hpp>
 
 #include "core/city/lot_overlaps.h"
-#include "core/geometry/polygon.h"
-#include "godot/convert.h"
 #include "godot/nodes/pcg_lot.h"
 
 using namespace godot;
 
 namespace pcg {
 
-namespace {
-
-// The outline counter-clockwise, then courtyards clockwise, also where a lot was mirrored.
-Loops2 polygon_of(const Lot &lot, const Transform3D &motion) {
-	Loops2 polygon;
-	const auto add = [&](const std::vector<glm::vec3> &corners) {
-		Loop2 loop;
-		for (const glm::vec3 &corner : corners) {
-			const Vector3 place = motion.xform(to_godot(corner));
-			loop.push_back({ double(place.x), -double(place.z) });
-		}
-		if ((signed_area(loop) > 0.0) != polygon.empty()) {
-			std::reverse(loop.begin(), loop.end());
-		}
-		polygon.push_back(std::move(loop));
-	};
-	add(lot.polygon);
-	std::for_each(lot.holes.begin(), lot.holes.end(), add);
-	return polygon;
-}
-
-} // namespace
-
 void CityOverlaps::mark(const Layout &layout, const std::vector<PlacedLot> &lots) {
 	std::vector<Loops2> polygons;
 	std::vector<bool> is_moved;
 	std::map<LotId, uint32_t> at_home;
 	for (uint32_t i = 0; i < lots.size(); ++i) {
-		polygons.push_back(polygon_of(layout.lot(lots[i].lot), lots[i].motion));
+		polygons.push_back(outline_of(layout, lots[i]));
 		// A copy that stays where it was made lies on the lot that it was copied from.
-		is_moved.push_back(!lots[i].is_at_home() || !at_home.emplace(lots[i].lot, i).second);
+		is_moved.push_back(!lots[i].is_at_home || !at_home.emplace(lots[i].lot, i).second);
 	}
 	std::vector<OutlineOverlap> overlaps = find_overlaps(polygons, is_moved);
 	for (const LotOverlap &known : layout.overlaps) {

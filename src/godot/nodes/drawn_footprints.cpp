@@ -1,6 +1,7 @@
 #include "godot/nodes/drawn_footprints.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include <glm/geometric.hpp>
@@ -63,6 +64,13 @@ std::optional<Loop2> drawn_outline(const Node *node, const Node *parent) {
 	return outline;
 }
 
+// What is no number at all becomes none, which is told like one that is too large.
+float drawn_height(const Node *node) {
+	const Variant height = node->get_meta("height", 0.0);
+	const bool is_number = height.get_type() == Variant::FLOAT || height.get_type() == Variant::INT;
+	return is_number ? float(double(height)) : height.get_type() == Variant::STRING && String(height).is_valid_float() ? float(String(height).to_float()) : NAN;
+}
+
 } // namespace
 
 std::vector<Footprint> drawn_footprints(const Node3D *city) {
@@ -82,7 +90,7 @@ std::vector<Footprint> drawn_footprints(const Node3D *city) {
 		}
 		footprint.name = from_godot(String(child->get_name()));
 		footprint.type = from_godot(String(child->get_meta("lot_type", "")));
-		footprint.height = float(double(child->get_meta("height", 0.0)));
+		footprint.height = drawn_height(child);
 	}
 	return result;
 }

@@ -135,6 +135,7 @@ bool PCGCity::regenerate(const std::vector<LotId> &lots) {
 			for (const Node *child : builder.clear_lot(node, lot)) {
 				_edits.release(child);
 			}
+			_edits.note_shown(_state->city.lots[index_of(lot)]);
 		}
 	}
 	CityJob job(std::move(input));
@@ -144,6 +145,7 @@ bool PCGCity::regenerate(const std::vector<LotId> &lots) {
 		builder.fill_lot(node, lot);
 		_ground->touch(lot);
 	}
+	_edits.note_new_ground();
 	_saved.clear();
 	replace_diagnostics(wanted, job);
 	report(job.diagnostics);

@@ -63,7 +63,9 @@ Dictionary PCGCity::get_statistics() const {
 		const String type = to_godot(city.model.types.name(entrance.type));
 		entrances[type] = int64_t(entrances.get(type, 0)) + 1;
 	}
-	result["blocks"] = int64_t(city.layout.blocks.size());
+	result["blocks"] = int64_t(std::ranges::count_if(city.layout.blocks, [&](const CityBlock &block) {
+		return !block.lots.empty() || !city.layout.streets.empty(); // without streets they are squares of the map, most of them empty
+	}));
 	result["lots"] = int64_t(city.layout.lots.size());
 	result["faces"] = faces;
 	result["instances"] = instances;

@@ -8,6 +8,7 @@
 #include "core/city/city_bytes.h"
 #include "core/city/city_generator.h"
 #include "core/city/footprint_layout.h"
+#include "core/city/lot_ground.h"
 #include "core/city/plan_layout.h"
 #include "core/city/walkable.h"
 #include "core/navigation/nav_mesh_paths.h"
@@ -230,7 +231,7 @@ TEST_CASE("rules build around a courtyard, which nobody enters without a gate; a
 		REQUIRE(city);
 		CHECK_MESSAGE(diagnostics.is_empty(), to_text(diagnostics));
 		double free = 0.0, roof = 0.0;
-		for (const std::vector<glm::vec3> &piece : city->lots[0].free_ground) {
+		for (const std::vector<glm::vec3> &piece : lot_ground(*city, LotId(0))) {
 			free += signed_area(to_plan(piece)) / 2.0;
 		}
 		for (const MeshFace &face : city->lots[0].model.mesh.faces) {

@@ -9,6 +9,7 @@
 #include "core/base/random.h"
 #include "core/city/drawn_blocks.h"
 #include "core/city/lot_overlaps.h"
+#include "core/city/plan_layout.h"
 #include "core/geometry/polygon.h"
 
 using namespace pcg;
@@ -49,29 +50,21 @@ std::string refused(const std::vector<Footprint> &blocks, const LayoutParameters
 	return diagnostics.is_empty() ? std::string() : diagnostics.list()[0].message;
 }
 
-Loop2 plan_of(const std::vector<glm::vec3> &polygon) {
-	Loop2 loop;
-	for (const glm::vec3 &corner : polygon) {
-		loop.push_back({ double(corner.x), -double(corner.z) });
-	}
-	return loop;
-}
-
-double area(const std::vector<glm::vec3> &polygon) { return signed_area(plan_of(polygon)) / 2.0; }
+double area(const std::vector<glm::vec3> &polygon) { return signed_area(to_plan(polygon)) / 2.0; }
 
 // Every edge of a lot that lies on a pavement knows the width of its street, and the first is one.
 bool has_fronts(const Layout &layout, const Lot &lot) {
 	if (lot.street_widths.size() != lot.polygon.size() || !(lot.street_widths[0] > 0.0f)) {
 		return false;
 	}
-	const Loop2 outline = plan_of(lot.polygon);
+	const Loop2 outline = to_plan(lot.polygon);
 	for (size_t i = 0; i < outline.size(); ++i) {
 		const glm::dvec2 a = outline[i], b = outline[(i + 1) % outline.size()], along = glm::normalize(b - a);
 		const glm::dvec2 outside = (a + b) / 2.0 + glm::dvec2(along.y, -along.x) * 0.02;
 		float width = 0.0f;
 		for (const uint32_t piece : layout.block(lot.block).pavements) {
 			const Ground &ground = layout.ground[piece];
-			if (ground.street != no_street && contains(plan_of(ground.polygon), outside)) {
+			if (ground.street != no_street && contains(to_plan(ground.polygon), outside)) {
 				width = layout.streets[ground.street].width;
 			}
 		}
@@ -87,11 +80,11 @@ void check_layout(const Layout &layout) {
 	std::vector<Loop2> pieces;
 	double sum = 0.0;
 	for (const Lot &lot : layout.lots) {
-		pieces.push_back(plan_of(lot.polygon));
+		pieces.push_back(to_plan(lot.polygon));
 		CHECK_FALSE(is_self_intersecting(pieces.back()));
 	}
 	for (const Ground &ground : layout.ground) {
-		pieces.push_back(plan_of(ground.polygon));
+		pieces.push_back(to_plan(ground.polygon));
 	}
 	std::vector<Loops2> polygons;
 	for (const Loop2 &piece : pieces) {
@@ -177,6 +170,17 @@ TEST_CASE("lots have their block's type and height, and streets are as wide as w
 		const bool is_between = std::ranges::any_of(lot.polygon, [](glm::vec3 corner) { return corner.x == 83.0f || corner.x == 99.0f; });
 		CHECK(std::ranges::count(lot.street_widths, 10.0f) == (is_between ? 1 : 0));
 	}
+}
+
+TEST_CASE("a block's height that is none is told and ignored") {
+	Footprint tower = box(0, 0, 86, 46, "the tower");
+	tower.height = INFINITY;
+	Diagnostics diagnostics;
+	const std::optional<Layout> layout = layout_of_blocks({ tower }, parameters(), diagnostics);
+	REQUIRE(layout.has_value());
+	CHECK(layout->lots[0].height == 0.0f);
+	REQUIRE(diagnostics.list().size() == 1);
+	CHECK(diagnostics.list()[0].message == "the tower: its height is none from 0 to 2000 m and is ignored");
 }
 
 TEST_CASE("curves have few corners, so that their lots have fronts") {
@@ -284,7 +288,7 @@ TEST_CASE("five hundred blocks with random yards: lots and ground cover each onc
 		check_layout(*layout);
 		for (const Loop2 &hole : blocks[0].holes) {
 			for (const Lot &lot : layout->lots) {
-				CHECK(shared_area({ hole }, { plan_of(lot.polygon) }) < 0.05 * double(p.lot_front) * double(p.lot_front)); // yards get fewer corners, too
+				CHECK(shared_area({ hole }, { to_plan(lot.polygon) }) < 0.05 * double(p.lot_front) * double(p.lot_front)); // yards get fewer corners, too
 			}
 		}
 		lots += layout->lots.size();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <glm/geometric.hpp>
 
@@ -115,6 +116,32 @@ TEST_CASE("footprints that overlap are warned of by name, and what cannot be bui
 	CHECK(refused(ring).find("feature 7: it is walled in") != std::string::npos);
 }
 
+TEST_CASE("heights that are none are told by name and ignored, corners that are nowhere are refused") {
+	constexpr float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
+	for (const float height : { nan, inf, -inf, -1.0f, 1e30f, 2000.5f }) {
+		Footprint tower = box(0, 0, 10, 10, "the tower");
+		tower.height = height;
+		Diagnostics diagnostics;
+		const std::optional<Layout> layout = layout_of_footprints({ tower, box(20, 0, 30, 10) }, parameters(), diagnostics);
+		REQUIRE(layout.has_value());
+		CHECK(layout->lots[0].height == 0.0f);
+		REQUIRE(diagnostics.list().size() == 1);
+		CHECK(diagnostics.list()[0].severity == Severity::Warning);
+		CHECK(diagnostics.list()[0].message == "the tower: its height is none from 0 to 2000 m and is ignored");
+	}
+	Footprint tall = box(0, 0, 10, 10);
+	tall.height = tallest_footprint;
+	CHECK(make({ tall }).lots[0].height == 2000.0f);
+	for (const double place : { double(nan), double(inf), -double(inf) }) {
+		Footprint broken = box(0, 0, 10, 10, "the broken one"), holed = box(0, 0, 40, 40, "the holed one");
+		broken.outline[2].y = place;
+		holed.holes = { box(10, 10, 20, 20).outline };
+		holed.holes[0][1].x = place;
+		CHECK(refused({ broken }) == "the broken one: its outline has a corner that is nowhere: its coordinates are not finite numbers");
+		CHECK(refused({ holed }) == "the holed one: a hole in it has a corner that is nowhere: its coordinates are not finite numbers");
+	}
+}
+
 TEST_CASE("a hole is a courtyard of its lot, and what stands in it is a lot within") {
 	Footprint ring = box(0, 0, 40, 40, "the ring");
 	ring.holes = { box(10, 10, 30, 30).outline };
@@ -143,8 +170,8 @@ TEST_CASE("of rings within rings each lot knows the nearest around it") {
 	const Layout layout = make({ box(35, 35, 45, 45), inner, outer });
 	CHECK(layout.lots[0].around == LotId(1));
 	CHECK(layout.lots[1].around == LotId(2));
-	CHECK(lots_around(layout, LotId(0)) == 2);
-	CHECK(lots_around(layout, LotId(2)) == 0);
+	CHECK(lots_around(layout, LotId(0)) == std::vector<LotId>{ LotId(1), LotId(2) });
+	CHECK(lots_around(layout, LotId(2)).empty());
 	const Layout twice = make({ outer, outer }, 1);
 	CHECK(twice.lots[0].around == LotId::Invalid);
 	CHECK(twice.lots[1].around == LotId::Invalid);

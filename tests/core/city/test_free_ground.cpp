@@ -188,14 +188,3 @@ TEST_CASE("what is inserted stands in the way where it is placed, unless it belo
 	model.instances[0] = { 0, 0, glm::dmat3(1.0), { 5, 0, -5 } };
 	CHECK(total_area(free_ground(square_lot(), model)) == doctest::Approx(400.0));
 }
-
-TEST_CASE("a courtyard with a gate is free ground but for what else stands in it") {
-	Lot ring = square_lot();
-	ring.holes = { { { 5, 0, -5 }, { 15, 0, -5 }, { 15, 0, -15 }, { 5, 0, -15 } } };
-	const std::vector<std::vector<glm::vec3>> taken = { { { 8, 0, -8 }, { 12, 0, -8 }, { 12, 0, -10 }, { 10, 0, -10 }, { 10, 0, -12 }, { 8, 0, -12 } } }; // an L
-	CHECK(total_area(free_ground(ring, cga::DerivationResult(), {}, taken)) == doctest::Approx(400.0 - 12.0));
-	Mesh closed;
-	add_walls(closed, 0, 20, 0, 20, 0, 5);
-	add_walls(closed, 5, 15, 5, 15, 0, 5);
-	CHECK(free_ground(ring, model_of(closed), {}, taken).empty());
-}

@@ -113,6 +113,18 @@ TEST_CASE("malformed files are refused with the place and the number of the feat
 	CHECK(refused(feature(square(1000, 0, 10)), MapUnits::Degrees).message.find("longitude") != std::string::npos);
 }
 
+TEST_CASE("a number that is too large for any is refused where it begins") {
+	const Diagnostic huge = refused(collection(feature(square(0, 0, 200)) + ",\n" +
+			feature("{\"type\": \"Polygon\", \"coordinates\": [[[0, 0], [200,\n -1e999], [200, 200], [0, 0]]]}")));
+	CHECK(huge.message == "the number -1e999 is too large: no more than 1.7e308 can be kept");
+	CHECK(huge.line == 5);
+	CHECK(huge.column == 2);
+	CHECK(huge.source == " -1e999], [200, 200], [0, 0]]]}}");
+	const Diagnostic long_one = refused(feature(square(0, 0, 200), "{\"height\": " + std::string(400, '9') + "}"));
+	CHECK(long_one.message.find("the number " + std::string(40, '9') + ".. is too large") == 0);
+	CHECK(long_one.column == 46);
+}
+
 TEST_CASE("a height that is none is ignored with a warning") {
 	Diagnostics diagnostics;
 	const auto footprints = parse_geojson(feature(square(1000, 0, 10), R"({"height": "tall"})"), "map.geojson", diagnostics);

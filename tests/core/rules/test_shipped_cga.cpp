@@ -218,6 +218,28 @@ TEST_CASE("shipped rules: nobody walks in a fountain, and all who look at it sta
 	CHECK(fountains >= 6); // of the park and the plaza
 }
 
+TEST_CASE("shipped rules: the place of an object is in the middle of what it looks like, where its gizmo stands") {
+	size_t objects = 0;
+	for (const ShippedRules &rules : all_shipped()) {
+		const auto program = load(rules.name);
+		for (uint64_t seed = 0; seed < 8; ++seed) {
+			const DerivationResult model = derive_at(*program, InitialShape::rectangle(rules.width, rules.depth, seed), 2);
+			for (const ModelObject &object : model.objects) {
+				glm::vec3 low(INFINITY), high(-INFINITY);
+				for (const glm::vec3 &point : object.mesh.positions) {
+					low = glm::min(low, point);
+					high = glm::max(high, point);
+				}
+				const glm::vec3 middle = (low + high) / 2.0f;
+				INFO(rules.name << " seed " << seed << " " << object.tag << " " << middle.x << " " << middle.z);
+				CHECK(std::hypot(middle.x, middle.z) < 0.5f);
+				++objects;
+			}
+		}
+	}
+	CHECK(objects > 100);
+}
+
 TEST_CASE("shipped rules: lots of other sizes keep their doors") {
 	for (ShippedRules rules : all_shipped()) {
 		const auto program = load(rules.name);

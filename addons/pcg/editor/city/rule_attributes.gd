@@ -10,6 +10,8 @@ const OF_LOTS: Dictionary[StringName, Dictionary] = {
 	&"lot/start_rule": {"type": TYPE_STRING, "of": &"start_rule", "none": ""},
 } ## how each is shown, what the lot type calls it, and what it is where nothing is set; no attribute of rules has a slash in its name
 
+const NO_GROUP := "General" ## the heading of attributes without a group; without one they would seem to be no part of the rules, between those that have
+
 ## A PCGLotType, or the PCGCity whose streets these are; null: nobody, or a city that is gone (steps to undo live longer).
 var subject: Object:
 	get:
@@ -42,12 +44,14 @@ func _has(name: StringName) -> bool:
 
 # A group holds for the attributes behind it, until the next one.
 func _read(attributes: Array[Dictionary]) -> void:
-	var group := ""
+	var group := NO_GROUP
 	var own_file: String = rules.get_file()
 	for attribute: Dictionary in attributes:
+		if attribute["file"] != own_file and not own_file.is_empty():
+			continue
 		var annotations: Dictionary = attribute["annotations"]
 		group = annotations["Group"][0] if annotations.has("Group") and not annotations["Group"].is_empty() else group
-		if attribute["is_constant"] or attribute["is_plain"] or annotations.has("Hidden") or attribute["file"] != own_file and not own_file.is_empty():
+		if attribute["is_constant"] or attribute["is_plain"] or annotations.has("Hidden"):
 			continue
 		var property: Dictionary = to_property(attribute)
 		_entries[StringName(property["name"])] = {"property": property, "group": group, "default": attribute["default"]}
