@@ -42,8 +42,21 @@ const Geometry *Clipper::clip(const Geometry &geometry, const Plane &plane, Aren
 	}
 	clip_faces(geometry, all);
 	const bool is_hollow = geometry.is_closed || geometry.face_count > 2;
+	const size_t rest = _builder.face_count();
 	const bool is_capped = cuts == Cuts::Closed && is_hollow && add_caps(plane);
-	return _builder.finish(arena, geometry.is_closed && is_capped);
+	const Geometry *result = _builder.finish(arena, geometry.is_closed && is_capped);
+	const GeometryFace &first = geometry.faces[0];
+	const bool is_first_gone = !(sides_of(geometry.first_point(first.first_loop), geometry.face_point_count(first)).most > 0.0);
+	return is_first_gone && rest > 0 && rest < _builder.face_count() ? with_caps_first(*result, rest, arena) : result;
+}
+
+// Where the first face is cut away, what closes the cut takes its place (CGA changelog 2025.1), as the bottom of the upper half of a building does.
+const Geometry *Clipper::with_caps_first(const Geometry &geometry, size_t caps, Arena &arena) {
+	_builder.begin(geometry);
+	for (size_t i = 0; i < geometry.face_count; ++i) {
+		_builder.add_face(geometry, geometry.faces[(caps + i) % geometry.face_count]);
+	}
+	return _builder.finish(arena, geometry.is_closed);
 }
 
 const Geometry *Clipper::clip_uv(const Geometry &geometry, size_t set, int axis, double at, bool keeps_above, Arena &arena) {

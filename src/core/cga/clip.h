@@ -66,6 +66,7 @@ private:
 		bool are_cut() const { return most > 0.0 && least < 0.0; }
 	};
 
+	const Geometry *with_caps_first(const Geometry &geometry, size_t caps, Arena &arena); // `caps`: number of the first
 	void measure(const Geometry &geometry, const Plane &plane);
 	void measure_uv(const Geometry &geometry, double at, bool keeps_above);
 	Sides sides_of(uint32_t first, uint32_t count) const;

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/cga/context.h"
+#include "core/cga/operations/inserted.h"
 #include "core/cga/operations/operations.h"
 
 // Functions about files, assets and pictures (CGA reference, section 8.5).
@@ -54,7 +55,10 @@ const AssetStore::FileList &search(Vm &vm, const Args &args) {
 	return list;
 }
 
-Value exists(Vm &vm, const Args &args) { return Value::of(Context::of(vm).assets.has_file(text_at(args, 0), file_of(vm))); }
+Value exists(Vm &vm, const Args &args) {
+	const std::string_view name = text_at(args, 0);
+	return Value::of(is_built_in(name) || Context::of(vm).assets.has_file(name, file_of(vm)));
+}
 
 Value search_list(Vm &vm, const Args &args) { return Value::of(&Context::of(vm).assets.search(text_at(args, 0), file_of(vm)).joined); }
 

@@ -288,7 +288,8 @@ bool Compiler::fold_call(const FunctionSpec &spec, uint32_t begin, uint32_t dept
 	NoHost host;
 	Vm vm(empty, host, { 1, 1, 1, 16 });
 	const Value result = spec.handler(vm, { values, nullptr, nullptr, spec.user });
-	if (vm.has_failed() || (!result.is_number() && !result.is_bool())) {
+	const bool is_told = !is_strict() && result.is_number() && !std::isfinite(result.number); // in CGA: the run warns of it
+	if (vm.has_failed() || is_told || (!result.is_number() && !result.is_bool())) {
 		return false;
 	}
 	drop_code(begin, depth);

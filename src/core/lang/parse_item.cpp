@@ -33,7 +33,9 @@ bool Parser::parse_keyword_item() {
 	const bool is_name_next = is(TokenKind::Name, 1) && !is_keyword(text(peek(1)));
 	if (is_word("version") && is(TokenKind::String, 1)) {
 		parse_version();
-	} else if (is_word("import") && (is_name_next || is(TokenKind::String, 1))) {
+	} else if (is_word("import") && (is_name_next || is(TokenKind::String, 1) || is(TokenKind::At, 1))) {
+		parse_import();
+	} else if (continues_imports()) {
 		parse_import();
 	} else if (is_word("style") && is_name_next) {
 		parse_style();
@@ -72,9 +74,25 @@ void Parser::parse_style() {
 	_annotations.clear();
 }
 
+// Until CityEngine 2019 one `import` could stand before several files, with annotations between them.
+bool Parser::continues_imports() const {
+	if (_ast.imports.empty() || !is(TokenKind::Name)) {
+		return false;
+	}
+	const uint32_t match = is(TokenKind::OpenParen, 1) ? peek(1).match : _at; // of the styles
+	const uint32_t colon = match - _at + 1;
+	return match >= _at && is(TokenKind::Colon, colon) && is(TokenKind::String, colon + 1);
+}
+
 void Parser::parse_import() {
 	AstImport import;
-	import.offset = take().offset;
+	import.offset = peek().offset;
+	if (is_word("import") && !is(TokenKind::Colon, 1)) {
+		take();
+	}
+	while (is(TokenKind::At)) {
+		parse_annotation();
+	}
 	import.annotations = std::move(_annotations);
 	_annotations.clear();
 	if (!is(TokenKind::String)) {

@@ -53,6 +53,7 @@ private:
 	void parse_item();
 	bool parse_keyword_item();
 	void parse_version();
+	bool continues_imports() const;
 	void parse_import();
 	void parse_style();
 	void parse_value(AstItem::Kind kind);

@@ -163,6 +163,13 @@ TEST_CASE("shapes: a style redefines the rule that hosts start with, and leaves 
 	CHECK(std::ranges::count_if(program->rules, [](const RuleInfo &rule) { return rule.is_start; }) == 1);
 }
 
+TEST_CASE("shapes: in old files one import stands before several files, with styles and annotations between them") {
+	const std::string one = "Go --> log(1)", two = "Go --> log(2)\nstyle Night\nGo --> log(3)";
+	CHECK(run_shapes({ { "main", "import\n@Hidden\na : \"one\"\n@Hidden\nb : \"two\" c(Night) : \"two\"\nStart --> a.Go b.Go c.Go" }, { "one", one },
+				  { "two", two } }) == "a.Go 1 b.Go 2 c.Go 3");
+	CHECK(run_shapes({ { "main", "b : \"two\"\nStart --> b.Go" }, { "two", two } }).starts_with("main:1:3: error: expected `-->` or `=` after `b`")); // the word is needed once
+}
+
 TEST_CASE("shapes: attributes of the importing file flow into imports, its constants do not") {
 	const std::string lib = "attr a = 1 attr b = 1 const c = 1 Go --> log(a, b, c)";
 	CHECK(run_shapes({ { "main", "import i : \"lib\"\nattr a = 5 const b = 6 attr c = 7\nStart --> i.Go" }, { "lib", lib } }) == "i.Go 5,1,1");

@@ -55,6 +55,15 @@ Value with_finite_numbers(Vm &vm, const Args &args) {
 	return (*static_cast<const FunctionHandler *>(args.user))(vm, args);
 }
 
+// Roots of negative numbers and angles of what is no sine or cosine are told where they come to be (CGA changelog 2018.0).
+Value with_finite_result(Vm &vm, const Args &args) {
+	const Value result = with_finite_numbers(vm, args);
+	if (result.is_number() && !std::isfinite(result.number)) {
+		vm.warn("no-result", "this function has no value there: the result is not a number", "sqrt takes 0 and above, asin and acos take -1 to 1");
+	}
+	return result;
+}
+
 void take_finite_numbers(Dialect &dialect, std::string_view name) {
 	static std::deque<FunctionHandler> handlers; // the dialect is made once
 	for (FunctionSpec &spec : dialect.functions) {
@@ -79,6 +88,9 @@ void extend_math_functions(Dialect &dialect) {
 	for (const std::string_view name : { "abs", "floor", "ceil", "rint", "sqrt", "exp", "ln", "log10", "pow", "sin", "cos", "tan", "asin", "acos", "atan",
 				 "atan2", "rand", "p", "find", "substring" }) {
 		take_finite_numbers(dialect, name);
+	}
+	for (const std::string_view name : { "sqrt", "asin", "acos" }) {
+		dialect.functions[size_t(dialect.find_function(name, 1))].handler = with_finite_result;
 	}
 }
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <iterator>
 #include <string>
 
 #include "core/cga/asset_store.h"
@@ -38,6 +40,12 @@ const Geometry *builtin_geometry(Context &context, std::string_view name) {
 }
 
 } // namespace
+
+bool is_built_in(std::string_view name) {
+	constexpr std::string_view names[] = { "cube", "cylinder", "sphere", "cone", "disk", "quad", "default", "uvtest.png", "unknowntexture.png" };
+	constexpr std::string_view begin = "builtin:";
+	return name == "builtin:cube:notex" || (name.starts_with(begin) && std::ranges::find(names, name.substr(begin.size())) != std::end(names));
+}
 
 const Geometry *inserted_geometry(Vm &vm, std::string_view name, AssetStore::Up up) {
 	constexpr std::string_view builtin = "builtin:";

@@ -84,6 +84,9 @@ Flow scatter(Vm &vm, const Args &args) {
 	const Geometry *point = one_point(context);
 	const Shape parent = context.shape;
 	const double wanted = std::min(context.finite(args[1]), double(context.limits().max_shapes) + 1.0);
+	if (wanted < 1.0) {
+		vm.warn("not-positive", "no point is scattered: their number must be 1 or more"); // CGA changelog 2017.0
+	}
 	for (double i = 1.0; i <= wanted; i += 1.0) {
 		const ScatterPoint place = draw(places, domain, vm.random(), parent.size, is_gaussian ? &bell : nullptr);
 		const Shape child = point_shape(parent, point, place, domain);
