@@ -19,6 +19,7 @@ namespace {
 constexpr double horizontal_sine = 0.64278760968653933 - 1e-9; // of 40 degrees, which is vertical whatever rounding says
 constexpr double margin = 1e-6; // metres that may stick out
 constexpr double flat = 1e-3; // radians between faces that lie in one plane
+constexpr double straight = 1e-4; // radians between edges that lie in one line
 
 Plane opposite(const Plane &plane) {
 	return { -plane.normal, -plane.offset };
@@ -71,7 +72,7 @@ const TrimSource *Trimmer::source_of(const Shape &shape, const Geometry &baked_g
 // A corner that points into the face ends the plane there: beyond it the face goes on.
 void Trimmer::limit(TrimPlane &plane, const TrimSource &source, const GeometryFace &face, const Edge &edge) {
 	const glm::dvec3 normal = face_normal(*source.geometry, face), ahead = edge.to - edge.from;
-	const auto points_in = [&](glm::dvec3 a, glm::dvec3 b) { return glm::dot(glm::cross(a, b), normal) < -1e-9 * glm::length(a) * glm::length(b); };
+	const auto points_in = [&](glm::dvec3 a, glm::dvec3 b) { return glm::dot(glm::cross(a, b), normal) < -straight * glm::length(a) * glm::length(b); };
 	plane.along = source.frame.axes * glm::normalize(ahead);
 	if (points_in(edge.from - edge.before, ahead)) {
 		plane.low = glm::dot(plane.along, source.frame.to_parent(edge.from));
