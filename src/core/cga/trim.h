@@ -1,12 +1,13 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "core/cga/clip.h"
 #include "core/cga/shape.h"
 
-// Trim planes (CGA reference, section 7.6): through each edge that a face of comp(f) shared with another face, halfway between the two. What is
-// inserted there later is cut by them, so that bricks and cornices meet at corners.
+// Trim planes (CGA reference, section 7.6): through each edge at which a face of comp(f) met another face in an angle, halfway between the two. What
+// is inserted there later is cut by them, so that bricks and cornices meet at corners.
 namespace pcg::cga {
 
 class Trimmer {
@@ -19,12 +20,23 @@ public:
 private:
 	struct TrimPlane {
 		Plane plane; // in the derivation's coordinates
+		// It ends where the edge ends in a corner that points into the face: between these places along the edge it is there.
+		glm::dvec3 along{ 0.0 };
+		double low = -INFINITY, high = INFINITY;
 		bool is_horizontal = false;
+		bool is_limited() const { return low > -INFINITY || high < INFINITY; }
+	};
+	// An edge of a face and the corners before and behind it.
+	struct Edge {
+		glm::dvec3 before, from, to, behind;
 	};
 
 	const std::vector<TrimPlane> &planes(const TrimSource &source, uint32_t face);
 	void add_planes(const TrimSource &source, uint32_t face);
-	void add_plane(const TrimSource &source, const GeometryFace &face, const GeometryFace &other, glm::dvec3 from, glm::dvec3 to, const glm::dmat3 &pivot);
+	void add_plane(const TrimSource &source, const GeometryFace &face, const GeometryFace &other, const Edge &edge, const glm::dmat3 &pivot);
+	static void limit(TrimPlane &plane, const TrimSource &source, const GeometryFace &face, const Edge &edge);
+	static TrimPlane in_scope(const TrimPlane &plane, const Frame &frame);
+	static const Geometry *cut(const Geometry &geometry, const TrimPlane &plane, Clipper &clipper, Arena &arena);
 
 	uint64_t _last_id = 0;
 	// Inserted things come in rows along one face: its planes are kept until another face asks.
