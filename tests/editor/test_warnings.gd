@@ -100,6 +100,12 @@ func test_a_zone_without_ground() -> void:
 	await _check_sign(zone, "has no ground")
 	zone.polygon = PackedVector3Array([Vector3.ZERO, Vector3(4.0, 0.0, 0.0), Vector3(0.0, 0.0, -4.0)])
 	await _check_no_sign(zone, "with a polygon")
+	zone.position.y = 80.0
+	await frames(20)
+	await _check_sign(zone, "Nobody can walk to this zone")
+	zone.position.y = 0.0
+	await frames(20)
+	await _check_no_sign(zone, "on the ground again")
 
 
 func test_an_entrance_that_nobody_can_reach() -> void:

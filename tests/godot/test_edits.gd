@@ -230,6 +230,30 @@ func test_zones_and_types_follow_their_nodes() -> void:
 	check_equal(after.get(old, 0), int(before[old]) - 1, "and no longer the old one")
 
 
+func test_a_zone_knows_whether_people_get_to_it() -> void:
+	var zone: PCGZone = _first(&"pcg_zones")
+	check(zone.reachable, "as generated they do")
+	var home: Vector3 = zone.global_position
+	for place: Vector3 in [Vector3(0, 60, 0), Vector3(5000, 0, 0), Vector3(NAN, 0, 0)]:
+		zone.position += place
+		await _settle()
+		check(not zone.reachable, "not at %s" % place)
+		zone.global_position = home
+		await _settle()
+		check(zone.reachable, "but where it was")
+	var small := PCGZone.new()
+	small.type = "cellar"
+	small.polygon = PackedVector3Array([Vector3(-1, 0, 1), Vector3(1, 0, 1), Vector3(1, 0, -1), Vector3(-1, 0, -1)])
+	var door: PCGEntrance = _first(&"pcg_entrances")
+	_city.add_child(small)
+	small.global_position = (door.get_parent() as PCGLot).global_position + door.global_basis.z * 2.5 # a house takes the front 15 m of 20
+	await _settle()
+	check(not small.reachable, "a cellar has no ground")
+	door.get_parent().free()
+	await _wait_for_navigation()
+	check(small.reachable, "until the house is gone")
+
+
 # People who sit on benches all day, some at each bench.
 func _people_on_benches() -> CitizenManager:
 	_city.lot_types[3].rules = CityForTests.make_rules(BENCHES)

@@ -24,11 +24,19 @@ func _off(map: RID, way: PackedVector3Array) -> float:
 	return worst
 
 
-func _wait_for_map(map: RID, from: Vector3, to: Vector3) -> void:
-	for frame: int in 600:
+# The engine takes regions into its map one by one, on threads of its own.
+func _wait_for_map(city: PCGCity) -> void:
+	var map: RID = city.get_world_3d().navigation_map
+	var middles: Array = []
+	for region: NavigationRegion3D in city.find_children("*", "NavigationRegion3D", true, false):
+		if region.navigation_mesh.get_polygon_count() > 0:
+			var corners: Array = Array(region.navigation_mesh.get_polygon(0)).map(func(i: int) -> Vector3: return region.navigation_mesh.get_vertices()[i])
+			middles.append(region.global_transform * (corners.reduce(func(sum: Vector3, corner: Vector3) -> Vector3: return sum + corner) / corners.size()))
+	for frame: int in 3000:
 		await get_tree().physics_frame
-		if NavigationServer3D.map_get_path(map, from, to, true).size() > 1:
+		if NavigationServer3D.map_get_iteration_id(map) > 0 and middles.all(func(point: Vector3) -> bool: return NavigationServer3D.map_get_closest_point(map, point).distance_to(point) < 0.1):
 			return
+	check(false, "the map has all regions within 3000 frames")
 
 
 func test_a_thousand_ways_are_as_long_as_those_of_the_engine() -> void:
@@ -37,7 +45,7 @@ func test_a_thousand_ways_are_as_long_as_those_of_the_engine() -> void:
 	check(city.generate_now(), "it generates: %s" % [city.get_diagnostics()])
 	var doors: Array = city.find_children("*", "PCGEntrance", true, false).map(func(door: PCGEntrance) -> Vector3: return door.global_position)
 	var map: RID = city.get_world_3d().navigation_map
-	await _wait_for_map(map, doors.front(), doors.back())
+	await _wait_for_map(city)
 	doors = doors.map(func(door: Vector3) -> Vector3: return NavigationServer3D.map_get_closest_point(map, door)) # both begin on the mesh
 	var random := RandomNumberGenerator.new()
 	random.seed = 7
@@ -79,7 +87,7 @@ func test_the_ground_of_a_turned_city_holds_together() -> void:
 		add_child(city)
 		check(city.generate_now(), "it generates: %s" % [city.get_diagnostics()])
 		var doors: Array = city.find_children("*", "PCGEntrance", true, false).map(func(door: PCGEntrance) -> Vector3: return door.global_position)
-		await _wait_for_map(map, doors.front(), doors.back())
+		await _wait_for_map(city)
 		var reached := 0
 		for door: Vector3 in doors:
 			var way: PackedVector3Array = NavigationServer3D.map_get_path(map, doors[0], door, true)

@@ -10,6 +10,7 @@ namespace {
 // What touches a cell by less than a millimetre leaves it free.
 constexpr float touch = 1e-3f;
 constexpr uint32_t max_cells_per_side = 2000;
+constexpr double least_area = 1e-4; // doubled, square metres
 
 double doubled_area(const std::vector<glm::vec2> &polygon) {
 	double sum = 0.0;
@@ -62,10 +63,16 @@ CellGrid::CellGrid(std::vector<glm::vec2> outline, float cell) : _outline(std::m
 	}
 }
 
+// Row by row: what is left of an outline with many corners between two lines has few.
 void CellGrid::find_inside() {
+	std::vector<glm::vec2> band, spare, part;
 	for (uint32_t row = 0; row < _rows; ++row) {
+		cut(_outline, 1, _min.y + _cell.y * float(row), true, spare);
+		cut(spare, 1, _min.y + _cell.y * float(row + 1), false, band);
 		for (uint32_t column = 0; column < _columns; ++column) {
-			if (!plan_of({ column, row, column + 1, row + 1 }).empty()) {
+			cut(band, 0, _min.x + _cell.x * float(column), true, spare);
+			cut(spare, 0, _min.x + _cell.x * float(column + 1), false, part);
+			if (doubled_area(part) > least_area) {
 				at(column, row) = Cell::Free;
 			}
 		}
@@ -218,7 +225,7 @@ std::vector<glm::vec2> CellGrid::plan_of(Box box) const {
 	cut(spare, 0, _min.x + _cell.x * float(box.column_end), false, plan);
 	cut(plan, 1, _min.y + _cell.y * float(box.row), true, spare);
 	cut(spare, 1, _min.y + _cell.y * float(box.row_end), false, plan);
-	return doubled_area(plan) > 1e-4 ? plan : std::vector<glm::vec2>();
+	return doubled_area(plan) > least_area ? plan : std::vector<glm::vec2>();
 }
 
 } // namespace pcg

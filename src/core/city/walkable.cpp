@@ -64,18 +64,30 @@ float cost_of(GroundKind kind, const GroundCosts &costs) {
 	return 1.0f;
 }
 
-constexpr size_t named_entrances = 5; // in a message; who wants all of them looks at the verdicts
+constexpr size_t named_records = 5; // in a message; who wants all of them looks at the verdicts
 
 bool is_cut_off(Reach reach) { return reach == Reach::OffMesh || reach == Reach::Island; }
 
-std::string entrance_name(const City &city, const Entrance &entrance) {
-	const LotId lot = city.model.building(entrance.building).lot;
-	const std::string place = index_of(lot) < city.layout.lots.size() ? lot_name(city.layout, lot) : "a building without a lot";
-	return place + ", type `" + std::string(city.model.types.name(entrance.type)) + "`";
+std::string place_name(const City &city, LotId lot, const char *otherwise) {
+	return index_of(lot) < city.layout.lots.size() ? lot_name(city.layout, lot) : otherwise;
 }
 
-std::string reason_of(Reach reach) {
-	return reach == Reach::OffMesh ? "no walkable ground before it" : "the ground before it is not connected with the streets";
+// "2 of 30 entrances cannot be reached on foot: ..", of `name(i)` and a reason each; empty if there is nothing to tell.
+template <typename Name>
+std::string list_cut_off(std::span<const Reach> verdicts, const std::string &one, const std::string &many, const char *off_mesh, const char *island, Name name) {
+	std::string names;
+	size_t count = 0;
+	const size_t total = verdicts.size() - size_t(std::count(verdicts.begin(), verdicts.end(), Reach::Removed));
+	for (size_t i = 0; i < verdicts.size(); ++i) {
+		if (is_cut_off(verdicts[i]) && ++count <= named_records) {
+			names += (count > 1 ? "; " : "") + name(i) + ", " + (verdicts[i] == Reach::OffMesh ? off_mesh : island);
+		}
+	}
+	if (count == 0) {
+		return {};
+	}
+	const std::string rest = count > named_records ? "; and " + std::to_string(count - named_records) + " more" : "";
+	return std::to_string(count) + " of " + std::to_string(total) + " " + (total == 1 ? one : many) + " cannot be reached on foot: " + names + rest;
 }
 
 } // namespace
@@ -138,21 +150,25 @@ NavMesh city_nav_mesh(const City &city, const GroundCosts &costs) {
 }
 
 void report_unreachable(const City &city, std::span<const Reach> verdicts, Diagnostics &diagnostics) {
-	std::string names;
-	size_t count = 0;
-	const size_t total = verdicts.size() - size_t(std::count(verdicts.begin(), verdicts.end(), Reach::Removed));
-	for (size_t i = 0; i < verdicts.size(); ++i) {
-		if (is_cut_off(verdicts[i]) && ++count <= named_entrances) {
-			names += (count > 1 ? "; " : "") + entrance_name(city, city.model.entrances()[i]) + ", " + reason_of(verdicts[i]);
-		}
+	const std::string message = list_cut_off(verdicts, "entrance", "entrances", "no walkable ground before it",
+			"the ground before it is not connected with the streets", [&](size_t i) {
+				const Entrance &entrance = city.model.entrances()[i];
+				return place_name(city, city.model.building(entrance.building).lot, "a building without a lot") + ", type `" +
+						std::string(city.model.types.name(entrance.type)) + "`";
+			});
+	if (!message.empty()) {
+		diagnostics.warning("unreachable-entrance", message, "leave free ground between each of these doors and the street");
 	}
-	if (count == 0) {
-		return;
+}
+
+void report_unreachable_zones(const City &city, std::span<const Reach> verdicts, Diagnostics &diagnostics) {
+	const std::string message = list_cut_off(verdicts, "zone", "zones", "no walkable ground in it", "its ground is not connected with the streets", [&](size_t i) {
+		const Zone &zone = city.model.zones()[i];
+		return place_name(city, zone.lot, "on no lot") + ", type `" + std::string(city.model.types.name(zone.type)) + "`";
+	});
+	if (!message.empty()) {
+		diagnostics.warning("unreachable-zone", message, "leave free ground in each of these zones, or beside it, and from there to the street");
 	}
-	const std::string rest = count > named_entrances ? "; and " + std::to_string(count - named_entrances) + " more" : "";
-	diagnostics.warning("unreachable-entrance", std::to_string(count) + " of " + std::to_string(total) +
-					(total == 1 ? " entrance" : " entrances") + " cannot be reached on foot: " + names + rest,
-			"leave free ground between each of these doors and the street");
 }
 
 } // namespace pcg

@@ -30,5 +30,7 @@ NavMesh city_nav_mesh(const City &city, const GroundCosts &costs = {});
 
 // One warning that counts the entrances that cannot be reached and names the first few; `verdicts` as from reach_of_entrances().
 void report_unreachable(const City &city, std::span<const Reach> verdicts, Diagnostics &diagnostics);
+// The same of zones; `verdicts` as from reach_of_zones().
+void report_unreachable_zones(const City &city, std::span<const Reach> verdicts, Diagnostics &diagnostics);
 
 } // namespace pcg

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/geometry/polygon.h"
+#include "core/geometry/box2.h"
 #include "core/io/json_reader.h"
 
 namespace pcg {
@@ -43,9 +43,10 @@ private:
 
 	void read_feature(const JsonValue &feature, size_t number) {
 		const std::optional<JsonValue> geometry = feature.is_object() ? feature.required("geometry") : std::nullopt;
-		const std::optional<std::string> type = geometry ? type_of(*geometry) : std::nullopt;
+		const bool is_nowhere = geometry && geometry->is_null(); // which the format allows
+		const std::optional<std::string> type = geometry && !is_nowhere ? type_of(*geometry) : std::nullopt;
 		if (type != "Polygon" && type != "MultiPolygon") {
-			_other_geometries += type ? 1 : 0;
+			_other_geometries += type || is_nowhere ? 1 : 0;
 			return;
 		}
 		Footprint footprint;
@@ -167,6 +168,14 @@ private:
 	size_t _other_geometries = 0;
 };
 
+// No building and no block is as wide as a degree; in metres the widest is wider than one.
+bool is_guessed_in_degrees(const std::vector<Footprint> &footprints) {
+	return std::all_of(footprints.begin(), footprints.end(), [](const Footprint &footprint) {
+		const Box2 box = box_of(footprint.outline);
+		return std::max(box.max.x - box.min.x, box.max.y - box.min.y) < 1.0;
+	});
+}
+
 bool are_degrees(const std::vector<Footprint> &footprints) {
 	for (const Footprint &footprint : footprints) {
 		for (const glm::dvec2 &point : footprint.outline) {
@@ -221,7 +230,7 @@ std::optional<std::vector<Footprint>> parse_geojson(std::string_view text, const
 	if (diagnostics.error_count() == errors_before && reader.footprints.empty()) {
 		root.error("there is no Polygon in it");
 	}
-	const bool is_in_degrees = units == MapUnits::Degrees || (units == MapUnits::Guess && are_degrees(reader.footprints));
+	const bool is_in_degrees = units == MapUnits::Degrees || (units == MapUnits::Guess && are_degrees(reader.footprints) && is_guessed_in_degrees(reader.footprints));
 	if (diagnostics.error_count() == errors_before && is_in_degrees && !are_degrees(reader.footprints)) {
 		root.error("a coordinate is no longitude from -180 to 180 and latitude from -90 to 90", "is the map in metres?");
 	}

@@ -302,11 +302,13 @@ void CityEdits::take_in_zone(PCGZone *node) {
 	Zone zone{ model.types.add(from_godot(node->get_type())), placed(frame, from_godot(node->get_polygon())), height, lot_id_above(node), false };
 	if (!is_valid(id)) {
 		node->link().set_id(int(index_of(model.add_zone(std::move(zone)))));
+		_changes.has_new_zones = true;
 		return;
 	}
 	const Zone &old = model.zone(id);
 	if (old.is_removed || old.type != zone.type || std::abs(old.height - zone.height) > arm || !is_same(old.polygon, zone.polygon)) {
 		model.put_zone(id, std::move(zone));
+		_changes.has_new_zones = true;
 	}
 }
 

@@ -41,6 +41,7 @@ public:
 	struct Changes {
 		bool has_edits = false; // the model is not as before
 		bool has_new_doors = false; // entrances came, moved or went
+		bool has_new_zones = false; // zones came, moved or changed
 		bool has_new_ground = false; // patches() says something else
 	};
 	// Takes in all that was noted. Not while another thread reads the model.
@@ -50,7 +51,7 @@ public:
 	// What the lots and objects that stand in the tree do to the ground for walking.
 	LayeredPatches patches() const;
 	void mark_overlaps(); // on the nodes of lots, after lots came, moved or went
-	void mark_reach(std::span<const Reach> verdicts) const; // by EntranceId
+	void mark_reach(std::span<const Reach> entrances, std::span<const Reach> zones) const; // by EntranceId and ZoneId
 	// The node goes, and what its record says is somebody else's to decide.
 	void release(const godot::Node *node);
 	// Nodes that show what a lot was made with, before it is made anew: what was taken off the lot stays, and finds its record again.

@@ -7,6 +7,7 @@
 #include "godot/convert.h"
 #include "godot/nodes/city_edits.h"
 #include "godot/nodes/pcg_entrance.h"
+#include "godot/nodes/pcg_zone.h"
 
 using namespace godot;
 
@@ -16,6 +17,16 @@ namespace pcg {
 namespace {
 
 constexpr int obstacles = std::numeric_limits<int>::max(); // a layer over all lots
+
+template <typename Node> void mark(const std::vector<uint64_t> &nodes, std::span<const Reach> verdicts) {
+	for (size_t i = 0; i < std::min(verdicts.size(), nodes.size()); ++i) {
+		Node *node = Object::cast_to<Node>(ObjectDB::get_instance(nodes[i]));
+		const bool is_reachable = verdicts[i] == Reach::Reachable || verdicts[i] == Reach::Removed;
+		if (node && node->is_reachable() != is_reachable) {
+			node->set_reachable(is_reachable);
+		}
+	}
+}
 
 } // namespace
 
@@ -36,15 +47,9 @@ std::vector<PlacedLot> CityEdits::placed_lots() const {
 	return lots;
 }
 
-void CityEdits::mark_reach(std::span<const Reach> verdicts) const {
-	const std::vector<uint64_t> &nodes = _nodes[size_t(Kind::Entrance)];
-	for (size_t i = 0; i < std::min(verdicts.size(), nodes.size()); ++i) {
-		PCGEntrance *node = Object::cast_to<PCGEntrance>(ObjectDB::get_instance(nodes[i]));
-		const bool is_reachable = verdicts[i] == Reach::Reachable || verdicts[i] == Reach::Removed;
-		if (node && node->is_reachable() != is_reachable) {
-			node->set_reachable(is_reachable);
-		}
-	}
+void CityEdits::mark_reach(std::span<const Reach> entrances, std::span<const Reach> zones) const {
+	mark<PCGEntrance>(_nodes[size_t(Kind::Entrance)], entrances);
+	mark<PCGZone>(_nodes[size_t(Kind::Zone)], zones);
 }
 
 void CityEdits::mark_overlaps() { _overlaps.mark(_state->city.layout, placed_lots()); }

@@ -93,8 +93,10 @@ void CityJob::do_beside(const std::function<void()> &work) {
 bool CityJob::join() {
 	state->ground = NavMesh::build(state->regions);
 	progress = 0.5f;
-	reach = reach_of_entrances(state->city.model, state->ground);
-	report_unreachable(state->city, reach, diagnostics);
+	entrance_reach = reach_of_entrances(state->city.model, state->ground);
+	zone_reach = reach_of_zones(state->city.model, state->ground);
+	report_unreachable(state->city, entrance_reach, diagnostics);
+	report_unreachable_zones(state->city, zone_reach, diagnostics);
 	if (const size_t count = state->ground.corner_graph().cut_short_count(); count > 0) {
 		diagnostics.warning("piled-ground", "too much to look at from " + std::to_string(count) + " corners of the ground: ways there may be longer than they "
 						"need be", "see that lots and what stands on them do not overlap; thousands of trees and benches on open ground do it, too");

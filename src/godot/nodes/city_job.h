@@ -60,7 +60,7 @@ public:
 	std::atomic<float> progress{ 0.0f };
 	bool has_succeeded = false; // of the last call; read after it has ended
 	Diagnostics diagnostics;
-	std::vector<Reach> reach; // by EntranceId; of join()
+	std::vector<Reach> entrance_reach, zone_reach; // by EntranceId and ZoneId; of join()
 	std::shared_ptr<CityState> state;
 
 private:

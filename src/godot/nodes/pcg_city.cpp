@@ -324,7 +324,7 @@ void PCGCity::finish() {
 	note_seconds("distances");
 	_diagnostics.append(_job->diagnostics);
 	_state = _job->state;
-	_edits.mark_reach(_job->reach);
+	_edits.mark_reach(_job->entrance_reach, _job->zone_reach);
 	report(_diagnostics);
 	update_configuration_warnings();
 	end(!_diagnostics.has_errors());

@@ -131,6 +131,7 @@ private:
 	bool can_edit() const { return _stage != Stage::Joining && _state_in_scene != nullptr; }
 	void take_in_edits();
 	void go_on_with_ground();
+	void mark_reach() const; // on the nodes of entrances and zones
 	bool regenerate(const std::vector<LotId> &lots);
 	void replace_diagnostics(const std::vector<LotId> &lots, const CityJob &job);
 	void go_on();

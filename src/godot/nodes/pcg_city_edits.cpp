@@ -65,12 +65,18 @@ void PCGCity::update_model() {
 	}
 	if (changes.has_new_doors) {
 		_state->paths->prepare();
-		_edits.mark_reach(reach_of_entrances(_state->city.model, _state->ground));
+	}
+	if (changes.has_new_doors || changes.has_new_zones) {
+		mark_reach();
 	}
 	set_process(is_generating() || !_ground->is_idle());
 	if (changes.has_edits) {
 		emit_signal("city_edited");
 	}
+}
+
+void PCGCity::mark_reach() const {
+	_edits.mark_reach(reach_of_entrances(_state->city.model, _state->ground), reach_of_zones(_state->city.model, _state->ground));
 }
 
 void PCGCity::go_on_with_ground() {
@@ -79,7 +85,7 @@ void PCGCity::go_on_with_ground() {
 		for (const CityGround::Baked &baked : _ground->baked()) {
 			builder.add_region(baked.tile, baked.mesh);
 		}
-		_edits.mark_reach(reach_of_entrances(_state->city.model, _state->ground));
+		mark_reach();
 		emit_signal("navigation_updated");
 	}
 	set_process(is_generating() || (_ground && !_ground->is_idle()));

@@ -24,6 +24,9 @@ void PCGZone::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_zone_id", "id"), &PCGZone::set_zone_id);
 	ClassDB::bind_method(D_METHOD("get_zone_id"), &PCGZone::get_zone_id);
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "zone_id"), "set_zone_id", "get_zone_id");
+	ClassDB::bind_method(D_METHOD("set_reachable", "reachable"), &PCGZone::set_reachable);
+	ClassDB::bind_method(D_METHOD("is_reachable"), &PCGZone::is_reachable);
+	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "reachable"), "set_reachable", "is_reachable");
 	ClassDB::bind_method(D_METHOD("contains", "point"), &PCGZone::contains);
 }
 
@@ -45,6 +48,11 @@ void PCGZone::set_height(double p_height) {
 	_link.note_change(this);
 }
 
+void PCGZone::set_reachable(bool p_reachable) {
+	_is_reachable = p_reachable;
+	update_configuration_warnings();
+}
+
 bool PCGZone::contains(const Vector3 &p_point) const {
 	Zone zone;
 	zone.polygon = from_godot(_polygon);
@@ -61,6 +69,8 @@ PackedStringArray PCGZone::_get_configuration_warnings() const {
 	}
 	if (_polygon.size() < 3) {
 		warnings.push_back("This zone has no ground: give its polygon at least three corners.");
+	} else if (!_is_reachable) {
+		warnings.push_back("Nobody can walk to this zone. Leave free ground in it, or beside it, and from there to the street.");
 	}
 	return warnings;
 }

@@ -22,6 +22,8 @@ public:
 	double get_height() const { return _height; }
 	void set_zone_id(int p_id) { _link.set_id(p_id); }
 	int get_zone_id() const { return _link.id(); }
+	void set_reachable(bool p_reachable);
+	bool is_reachable() const { return _is_reachable; }
 	// Whether a point of the world lies above the ground outline; heights are ignored.
 	bool contains(const godot::Vector3 &p_point) const;
 
@@ -38,6 +40,7 @@ private:
 	godot::String _type;
 	godot::PackedVector3Array _polygon;
 	double _height = 3.0;
+	bool _is_reachable = true;
 };
 
 } // namespace pcg

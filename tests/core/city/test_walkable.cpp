@@ -154,6 +154,26 @@ TEST_CASE("an entrance that cannot be reached is a warning that names the lot") 
 	CHECK(diagnostics.list()[0].message.find("1 of 1 entrance cannot be reached on foot: lot 0 (house)") == 0);
 }
 
+TEST_CASE("zones without ground are one warning that names their lots") {
+	LayoutParameters parameters = layout_for_lots(3);
+	parameters.land_use = { { "park", 1.0 } };
+	City city = empty_city(parameters);
+	const TypeId park = city.model.types.add("park");
+	for (uint32_t i = 0; i < 2; ++i) {
+		city.model.add_zone({ park, city.layout.lots[i].polygon, 3.0f, LotId(i), false });
+	}
+	const auto message = [&] {
+		Diagnostics diagnostics;
+		report_unreachable_zones(city, reach_of_zones(city.model, city_nav_mesh(city)), diagnostics);
+		return diagnostics.is_empty() ? std::string() : diagnostics.list()[0].message;
+	};
+	CHECK(message() == "");
+	city.model.move_zone(ZoneId(1), { { 0, 50, 0 }, { 9, 50, 0 }, { 9, 50, -9 } }, 3.0f);
+	CHECK(message() == "1 of 2 zones cannot be reached on foot: lot 1 (park), type `park`, no walkable ground in it");
+	city.model.put_zone(ZoneId(0), { park, { { 500, 0, 0 }, { 509, 0, 0 }, { 509, 0, -9 } }, 3.0f, LotId::Invalid, false });
+	CHECK(message().find("2 of 2 zones cannot be reached on foot: on no lot, type `park`, no walkable ground in it; lot 1") == 0);
+}
+
 TEST_CASE("many entrances that cannot be reached are one warning that counts them and names the first five") {
 	LayoutParameters parameters = layout_for_lots(9);
 	parameters.land_use = { { "house", 1.0 } };

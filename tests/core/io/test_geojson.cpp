@@ -54,6 +54,23 @@ TEST_CASE("degrees become metres: 110,574 a degree of latitude and 111,320 of lo
 	CHECK(north[0].outline[2].y - north[0].outline[1].y == doctest::Approx(111.412).epsilon(1e-4)); // published: 111.41 km
 }
 
+TEST_CASE("small numbers are metres where an outline is as wide as no building is in degrees") {
+	const auto yard = read(collection(feature(square(0, 0, 20)) + ",\n" + feature(square(60, 40, 1.5))));
+	CHECK(yard[0].outline == Loop2{ { -30.75, -20.75 }, { -10.75, -20.75 }, { -10.75, -0.75 }, { -30.75, -0.75 } });
+	const auto street = read(collection(feature(square(9.9, 50, 0.0002)) + ",\n" + feature(square(10.1, 50, 0.0002)))); // at 50 degrees north
+	CHECK(street[1].outline[0].x - street[0].outline[0].x == doctest::Approx(0.2 * 71'695.0).epsilon(1e-3)); // published: 71.70 km a degree
+	CHECK(read(feature(square(0, 0, 0.5)), MapUnits::Metres)[0].outline[0].x == -0.25);
+}
+
+TEST_CASE("features that lie nowhere are left out with a warning") {
+	Diagnostics diagnostics;
+	const auto footprints = parse_geojson(collection(feature("null") + ",\n" + feature(square(0, 0, 200))), "map.geojson", diagnostics);
+	REQUIRE(footprints.has_value());
+	CHECK(footprints->size() == 1);
+	REQUIRE(diagnostics.list().size() == 1);
+	CHECK(diagnostics.list()[0].message.find("1 features are neither Polygon nor MultiPolygon") != std::string::npos);
+}
+
 TEST_CASE("heights are metres, texts or levels, and a use is a type") {
 	const auto of = [](const char *properties) { return read(feature(square(1000, 0, 10), properties))[0]; };
 	CHECK(of(R"({"height": 12.5})").height == 12.5f);

@@ -251,6 +251,33 @@ TEST_CASE("doors off the mesh, on an island and removed are told from those that
 	CHECK(reach_of_entrances(city, world.mesh()) == std::vector<Reach>{ Reach::Reachable, Reach::Island, Reach::OffMesh, Reach::Removed });
 }
 
+TEST_CASE("zones are reached at their middle, a corner or their outline, and those without ground, on an island or nowhere are told from them") {
+	GridWorld world(24, 3, 0.0, 1);
+	for (int z = 0; z < 3; ++z) {
+		for (int x = 14; x < 20; ++x) {
+			world.set_free(x, z, false);
+		}
+	}
+	CityModel city;
+	const auto add_zone = [&](float x0, float z0, float x1, float z1) {
+		Zone zone;
+		zone.polygon = { { x0, 0, z1 }, { x1, 0, z1 }, { x1, 0, z0 }, { x0, 0, z0 } };
+		city.add_zone(zone);
+	};
+	add_zone(1, 1, 3, 2);
+	add_zone(5, -40, 45, 41); // around much more than the ground
+	add_zone(2, -60, 40, 1.5f); // only one of its sides meets it
+	add_zone(20.5f, 0, 23, 2);
+	add_zone(16.9f, 1.2f, 17.1f, 1.3f);
+	add_zone(100, 0, 110, 10);
+	add_zone(NAN, 0, INFINITY, 1);
+	city.add_zone(Zone());
+	add_zone(0, 0, 1, 1);
+	city.remove_zone(ZoneId(8));
+	CHECK(reach_of_zones(city, world.mesh(), 1.0f) == std::vector<Reach>{ Reach::Reachable, Reach::Reachable, Reach::Reachable, Reach::Island, Reach::OffMesh,
+			Reach::OffMesh, Reach::OffMesh, Reach::OffMesh, Reach::Removed });
+}
+
 TEST_CASE("a way that led where people walk can be walked until the ground on it has changed") {
 	GridWorld world(20, 3, 0.0, 1);
 	NavMesh mesh = world.mesh();
