@@ -151,7 +151,7 @@ private:
 		if (_corners->uvs[set] == nullptr) {
 			glm::dvec2 *all = _arena.allocate<glm::dvec2>(_result.point_count);
 			std::fill_n(all, _result.point_count, no_uv());
-			_corners->uvs[set] = all;
+			_corners->put(set, all);
 		}
 		return _corners->uvs[set];
 	}
