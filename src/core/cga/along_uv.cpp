@@ -101,7 +101,7 @@ public:
 		}
 		CornerData corners;
 		for (size_t set = 0; set < uv_set_count; ++set) {
-			corners.uvs[set] = _has_set[set] ? arena.copy(_uvs[set].data(), _uvs[set].size()) : nullptr;
+			corners.put(set, _has_set[set] ? arena.copy(_uvs[set].data(), _uvs[set].size()) : nullptr);
 		}
 		geometry.corners = std::ranges::find(_has_set, true) != _has_set.end() ? arena.make(corners) : nullptr;
 		return arena.make(geometry);

@@ -76,7 +76,7 @@ const glm::dvec2 *Appender::uvs(size_t set) {
 	if (_corners->uvs[set] == nullptr) {
 		glm::dvec2 *all = _arena.allocate<glm::dvec2>(_result.point_count);
 		std::fill_n(all, _result.point_count, no_uv());
-		_corners->uvs[set] = all;
+		_corners->put(set, all);
 	}
 	return _corners->uvs[set];
 }

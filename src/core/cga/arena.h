@@ -44,6 +44,7 @@ public:
 		}
 		return target;
 	}
+	template <typename T> T *make() { return ::new (allocate<T>(1)) T; }
 	template <typename T> T *make(const T &value) { return ::new (allocate<T>(1)) T(value); }
 
 	// Bytes kept, used or not.

@@ -93,7 +93,7 @@ Geometry corners_of(const Mesh &mesh, Arena &arena) {
 		if (mesh.uvs[set].size() == count) {
 			glm::dvec2 *uvs = arena.allocate<glm::dvec2>(count);
 			std::ranges::transform(mesh.uvs[set], uvs, [](glm::vec2 uv) { return uv.x == uv.x && uv.y == uv.y ? glm::dvec2(uv) : no_uv(); });
-			data.uvs[set] = uvs;
+			data.put(set, uvs);
 			source.corners = arena.make(data);
 		}
 	}

@@ -87,7 +87,7 @@ bool Clipper::add_caps(const Plane &plane) {
 void Clipper::emit_caps(const std::vector<std::vector<glm::dvec3>> &outlines, const std::vector<std::vector<glm::dvec3>> &holes, glm::dvec3 normal) {
 	for (const auto &outline : outlines) {
 		_builder.add_loop(outline);
-		const std::vector<glm::dvec2> flat = flattened(outline, normal);
+		const std::vector<glm::dvec2> flat = holes.empty() ? std::vector<glm::dvec2>() : flattened(outline, normal);
 		for (const auto &hole : holes) {
 			if (contains(flat, flatten(hole[0], normal))) {
 				_builder.add_loop(hole);

@@ -193,7 +193,7 @@ glm::dvec3 in_frame(glm::dvec3 point, const Frame &frame, double flat) {
 // What the corners of a face carry, which lie side by side in its geometry.
 const CornerData *corners_from(const CornerData &source, uint32_t first, Arena &arena) {
 	CornerData *result = arena.make(source);
-	for (const glm::dvec2 *&uvs : result->uvs) {
+	for (const glm::dvec2 *&uvs : std::span(result->uvs).first(result->set_end)) {
 		uvs = uvs != nullptr ? uvs + first : nullptr;
 	}
 	return result;
@@ -211,13 +211,11 @@ const Geometry *outline_in_frame(const Geometry &geometry, const GeometryFace &f
 	if (!is_clear || points[0] == points[outline.size() - 1]) {
 		return nullptr;
 	}
-	const Geometry *polygon = make_polygon({ points, outline.size() }, face.tag, face.material, arena);
-	if (geometry.corners == nullptr) {
-		return polygon;
+	Geometry *polygon = make_polygon({ points, outline.size() }, face.tag, face.material, arena);
+	if (geometry.corners != nullptr) {
+		polygon->corners = corners_from(*geometry.corners, geometry.first_point(face.first_loop), arena);
 	}
-	Geometry *result = arena.make(*polygon);
-	result->corners = corners_from(*geometry.corners, geometry.first_point(face.first_loop), arena);
-	return result;
+	return polygon;
 }
 
 void add_points(GeometryBuilder &builder, const Geometry &geometry, const GeometryFace &face, const Frame &frame, double flat) {

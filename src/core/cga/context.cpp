@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/cga/color.h"
 #include "core/cga/initial_shape.h"
 
 namespace pcg::cga {
@@ -34,6 +35,10 @@ Context::Context(const Program &program, const DeriveOptions &options)
 		: assets(options.assets, program), vm(program, *this, vm_limits(options.limits)), _program(program), _options(options) {
 	for (const Text &text : program.texts) {
 		_selectors.push_back(selector_of(text.view));
+		KnownColor &known = _colors.emplace_back();
+		known.color.a = -1.0f;
+		known.is_color = parse_color(text.view, known.color);
+		known.has_opacity = known.color.a >= 0.0f;
 	}
 	for (const RuleInfo &rule : program.rules) {
 		_object_tags.push_back(object_tag(rule));
@@ -225,18 +230,38 @@ bool Context::is_paper_rule() const {
 	return is_valid(rule) && _program.rules[index_of(rule)].has_paper_arrow;
 }
 
+// Most shapes are leaves and are only handed out: no copy is made of them.
+inline Flow Context::call_leaf(const Caller &caller, uint64_t child_index) {
+	if (!count_shape()) {
+		return Flow::Stop;
+	}
+	++_successor_count;
+	if (!surroundings.is_active()) {
+		add_leaf(caller.shape);
+		return Flow::Next;
+	}
+	Shape leaf = caller.shape;
+	leaf.tree = surroundings.child(caller.tree, child_index);
+	add_leaf(leaf);
+	return Flow::Next;
+}
+
 Flow Context::call_rule(Vm &, RuleId rule, std::span<const Value> args) {
 	mark_replaced();
+	return call_rule({ shape, shape.seed, shape.tree }, _body.child_count++, rule, args);
+}
+
+Flow Context::call_rule(const Caller &caller, uint64_t child_index, RuleId rule, std::span<const Value> args) {
 	if (_program.rules[index_of(rule)].is_leaf_symbol) {
-		return call_leaf();
+		return call_leaf(caller, child_index);
 	}
-	Shape *child = arena.make(shape);
+	Shape *child = arena.make(caller.shape);
 	if (surroundings.is_active()) {
-		child->tree = surroundings.child(shape.tree, _body.child_count);
+		child->tree = surroundings.child(caller.tree, child_index);
 	}
-	child->seed = derive_seed(shape.seed, _body.child_count++);
-	child->depth = shape.depth + 1;
-	child->key = arena.make(KeyNode{ shape.key, _successor_count++ });
+	child->seed = derive_seed(caller.seed, child_index);
+	child->depth = caller.shape.depth + 1;
+	child->key = arena.make(KeyNode{ caller.shape.key, _successor_count++ });
 	if (child->depth > _options.limits.max_depth) {
 		vm.fail("too-deep", "rules call each other more than " + std::to_string(_options.limits.max_depth) + " levels deep",
 				"end the recursion with a case, or raise the limit");
@@ -246,29 +271,13 @@ Flow Context::call_rule(Vm &, RuleId rule, std::span<const Value> args) {
 	return Flow::Next;
 }
 
-// Most shapes are leaves and are only handed out: no copy is made of them.
-Flow Context::call_leaf() {
-	if (!count_shape()) {
-		return Flow::Stop;
-	}
-	const TreePlace place = shape.tree;
-	if (surroundings.is_active()) {
-		shape.tree = surroundings.child(place, _body.child_count);
-	}
-	++_body.child_count;
-	++_successor_count;
-	add_leaf(shape);
-	shape.tree = place;
-	return Flow::Next;
-}
-
 void Context::push_group(Vm &) {
-	_groups.push_back(shape);
-	_saved.push_back(&_groups.back());
+	_groups.push_back(arena.make(shape));
+	_saved.push_back(_groups.back());
 }
 
 void Context::pop_group(Vm &) {
-	make_current(_groups.back());
+	make_current(*_groups.back());
 	_groups.pop_back();
 	_saved.pop_back();
 }
@@ -278,21 +287,28 @@ Flow Context::Children::run(const Shape &child, Chunk body) {
 	if (!_context.count_shape()) {
 		return Flow::Stop;
 	}
-	Shape &shape = _context.shape;
-	_context.make_current(child);
-	shape.seed = derive_seed(_parent.seed, _body.child_count);
-	if (_context.surroundings.is_active()) {
-		shape.tree = _context.surroundings.child(_parent.tree, _body.child_count);
+	const uint64_t index = _body.child_count++;
+	const uint64_t seed = derive_seed(_parent.seed, index);
+	const TreePlace tree = _context.surroundings.is_active() ? _context.surroundings.child(_parent.tree, index) : child.tree;
+	const RuleId rule = _context.vm.only_call(body);
+	if (is_valid(rule)) { // most bodies: the child need not become the current shape
+		return _context.vm.make_only_call(body, [&] { return _context.call_rule({ child, seed, tree }, 0, rule, {}); });
 	}
-	_context._body = { Random(shape.seed), 0, false };
+	return run_as_current(child, seed, tree, body);
+}
+
+Flow Context::Children::run_as_current(const Shape &child, uint64_t seed, TreePlace tree, Chunk body) {
+	_context.make_current(child);
+	_context.shape.seed = seed;
+	_context.shape.tree = tree;
+	_context._body = { Random(seed), 0, false };
 	_context._saved.push_back(&child);
 	const Flow flow = _context.vm.run_body(body);
 	_context._saved.pop_back();
 	if (!_context._body.is_replaced) {
 		++_context._successor_count;
-		_context.add_leaf(shape);
+		_context.add_leaf(_context.shape);
 	}
-	++_body.child_count;
 	return flow;
 }
 
@@ -327,7 +343,18 @@ void Context::own_attributes() {
 	vm.use_attributes(shape.attributes);
 }
 
-double Context::finite(const Value &value) {
+bool Context::read_color(const Text &text, glm::vec4 &color) const {
+	if (text.symbol == no_symbol) {
+		return parse_color(text.view, color);
+	}
+	const KnownColor &known = _colors[text.symbol];
+	if (known.is_color) {
+		color = glm::vec4(glm::vec3(known.color), known.has_opacity ? known.color.a : color.a);
+	}
+	return known.is_color;
+}
+
+double Context::finite_with_care(const Value &value) {
 	if (!value.is_number()) {
 		return 0.0;
 	}
@@ -335,8 +362,7 @@ double Context::finite(const Value &value) {
 		vm.warn("not-finite", "this number is infinite or not a number; 0 is taken instead", "look for a division by zero or a root of a negative number");
 		return 0.0;
 	}
-	// Far beyond any city: such sizes leave what the exchange formats can say.
-	if (std::abs(value.number) > 1e9) {
+	if (std::abs(value.number) > most_number) {
 		vm.warn("too-large", "this number is beyond 1e9; 0 is taken instead", "lengths are metres");
 		return 0.0;
 	}

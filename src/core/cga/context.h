@@ -1,8 +1,8 @@
 #pragma once
 
 #include <chrono>
+#include <cmath>
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <span>
 #include <string>
@@ -54,6 +54,8 @@ public:
 	// As it was when the running body or bracket began (CGA reference: op_center).
 	const Shape &saved_shape() const { return *_saved.back(); }
 	Selector selector(uint32_t symbol) const { return _selectors[symbol]; }
+	// As parse_color(); texts of the program are read once.
+	bool read_color(const Text &text, glm::vec4 &color) const;
 	// The component that a selector's expression is asked about, and the shape that it is part of; nullptr at other times.
 	struct Selection {
 		const Component *component = nullptr;
@@ -64,7 +66,7 @@ public:
 	bool is_paper_rule() const; // the running rule was written with `->`
 
 	// Runs bodies on shapes of their own, each of which is a leaf if its body makes nothing of it. At its end the current shape is as it was at its
-	// beginning; in between it is that of the body that ran last.
+	// beginning; in between it is no shape in particular: bodies that only call a rule do not change it.
 	class Children;
 	// One of them.
 	Flow run_child(const Shape &child, Chunk body);
@@ -87,7 +89,9 @@ public:
 	void reseed(uint64_t seed);
 
 	// The number, or 0 with a warning if it is infinite or not a number.
-	double finite(const Value &value);
+	double finite(const Value &value) {
+		return value.is_number() && std::abs(value.number) <= most_number ? value.number : finite_with_care(value);
+	}
 	// The same in metres: '0.5 is half of `whole`.
 	double length(const Value &value, double whole);
 	glm::dvec3 lengths(const Args &args, size_t first);
@@ -132,7 +136,14 @@ private:
 	const Geometry *part_of(const Shape &leaf, uint16_t material);
 	void unify(std::span<const Geometry *> parts);
 	void connect_parts();
-	Flow call_leaf();
+	// A shape that calls rules, as its children see it.
+	struct Caller {
+		const Shape &shape;
+		uint64_t seed;
+		TreePlace tree;
+	};
+	Flow call_rule(const Caller &caller, uint64_t child_index, RuleId rule, std::span<const Value> args);
+	Flow call_leaf(const Caller &caller, uint64_t child_index);
 	void add_leaf(const Shape &leaf);
 	// False: there are too many, or the derivation was stopped.
 	bool count_shape() {
@@ -144,6 +155,9 @@ private:
 		return check_limits();
 	}
 	bool check_limits();
+	// Far beyond any city: larger sizes leave what the exchange formats can say.
+	static constexpr double most_number = 1e9;
+	double finite_with_care(const Value &value);
 
 	const Program &_program;
 	DeriveOptions _options;
@@ -151,10 +165,15 @@ private:
 	Lot _lot;
 	Body _body;
 	std::vector<const Shape *> _saved; // innermost last
-	std::deque<Shape> _groups; // as they were at each open bracket
+	std::vector<const Shape *> _groups; // as they were at each open bracket
 	std::vector<Pending> _stack; // last first
 	std::vector<Pending> _children; // of the running rule, in order
 	std::vector<Selector> _selectors; // by symbol
+	struct KnownColor {
+		bool is_color = false, has_opacity = false;
+		glm::vec4 color{ 0.0f };
+	};
+	std::vector<KnownColor> _colors; // by symbol
 	Selection _selection;
 	std::vector<std::string_view> _object_tags; // by rule; empty: no object
 	Look _default_look;
@@ -180,6 +199,8 @@ public:
 	Flow run(const Shape &child, Chunk body);
 
 private:
+	Flow run_as_current(const Shape &child, uint64_t seed, TreePlace tree, Chunk body);
+
 	Context &_context;
 	const Shape _parent;
 	Body _body; // of the parent

@@ -173,9 +173,9 @@ const CornerData *carry_corner_data(const Geometry &source, std::span<const glm:
 	Carrier carrier(source, points, origins);
 	CornerData data;
 	bool is_empty = true;
-	for (size_t set = 0; set < uv_set_count; ++set) {
+	for (size_t set = 0; set < source.corners->set_end; ++set) {
 		if (source.corners->uvs[set] != nullptr) {
-			data.uvs[set] = carrier.carry(source.corners->uvs[set], no_uv(), arena);
+			data.put(set, carrier.carry(source.corners->uvs[set], no_uv(), arena));
 			is_empty &= data.uvs[set] == nullptr;
 		}
 	}

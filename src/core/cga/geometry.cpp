@@ -1,5 +1,6 @@
 #include "core/cga/geometry.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "core/cga/corner_data.h"
@@ -86,6 +87,11 @@ bool GeometryBuilder::add_loop(std::span<const glm::dvec3> loop, std::span<const
 bool GeometryBuilder::add_loop(const Geometry &source, uint32_t loop) {
 	add_points(source, source.first_point(loop), source.loop_ends[loop] - source.first_point(loop));
 	return end_loop();
+}
+
+void GeometryBuilder::note_origin(CornerOrigin origin) {
+	_origins.resize(_points.size());
+	_origins.back() = origin;
 }
 
 void GeometryBuilder::add_points(const Geometry &source, uint32_t first, uint32_t count) {
@@ -179,7 +185,7 @@ const Geometry *GeometryBuilder::finish(Arena &arena, bool is_closed) const {
 	if (_faces.empty()) {
 		return nullptr;
 	}
-	Geometry &geometry = *arena.make(Geometry());
+	Geometry &geometry = *arena.make<Geometry>();
 	geometry.points = arena.copy(_points.data(), _points.size());
 	geometry.loop_ends = arena.copy(_loop_ends.data(), _loop_ends.size());
 	geometry.faces = arena.copy(_faces.data(), _faces.size());
@@ -195,8 +201,8 @@ const Geometry *GeometryBuilder::finish(Arena &arena, bool is_closed) const {
 	return &geometry;
 }
 
-const Geometry *make_polygon(std::span<const glm::dvec3> points, FaceTag tag, uint16_t material, Arena &arena) {
-	Geometry &geometry = *arena.make(Geometry());
+Geometry *make_polygon(std::span<const glm::dvec3> points, FaceTag tag, uint16_t material, Arena &arena) {
+	Geometry &geometry = *arena.make<Geometry>();
 	geometry.points = points.data();
 	geometry.point_count = uint32_t(points.size());
 	geometry.loop_ends = arena.make(geometry.point_count);
@@ -212,14 +218,12 @@ glm::dvec3 face_normal(const Geometry &geometry, const GeometryFace &face) {
 }
 
 const Geometry *with_uvs(const Geometry &geometry, size_t set, const glm::dvec2 *uvs, Arena &arena) {
-	CornerData *corners = arena.make(geometry.corners != nullptr ? *geometry.corners : CornerData());
-	corners->uvs[set] = uvs;
-	bool is_empty = corners->normals == nullptr;
-	for (const glm::dvec2 *other : corners->uvs) {
-		is_empty = is_empty && other == nullptr;
-	}
+	CornerData *corners = geometry.corners != nullptr ? arena.make(*geometry.corners) : arena.make<CornerData>();
+	corners->put(set, uvs);
+	const auto has_set = [](const glm::dvec2 *other) { return other != nullptr; };
+	const bool has_any = uvs != nullptr || corners->normals != nullptr || std::ranges::any_of(corners->uvs, has_set);
 	Geometry *result = arena.make(geometry);
-	result->corners = is_empty ? nullptr : corners;
+	result->corners = has_any ? corners : nullptr;
 	result->is_block = geometry.is_block || detect_block(*result);
 	return result;
 }

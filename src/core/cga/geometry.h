@@ -29,6 +29,12 @@ struct CornerData {
 	// One for each corner; nullptr: there is no such set. Corners that have no coordinates (of caps, of new walls) hold no_uv().
 	const glm::dvec2 *uvs[uv_set_count] = {};
 	const glm::dvec3 *normals = nullptr; // unit, or zero where the face is flat; nullptr: all are flat
+	uint32_t set_end = 0; // sets from here on are missing: most geometry has only the first
+
+	void put(size_t set, const glm::dvec2 *values) {
+		uvs[set] = values;
+		set_end = set < set_end ? set_end : uint32_t(set) + 1;
+	}
 };
 glm::dvec2 no_uv();
 inline bool has_uv(glm::dvec2 uv) { return uv.x == uv.x; }
@@ -85,8 +91,7 @@ public:
 	void add_point(glm::dvec3 point, CornerOrigin origin) {
 		_points.push_back(point);
 		if (_source != nullptr) {
-			_origins.resize(_points.size());
-			_origins.back() = origin;
+			note_origin(origin);
 		}
 	}
 	void add_corner(glm::dvec3 point, uint32_t corner) { add_point(point, { corner }); }
@@ -114,6 +119,7 @@ public:
 	const Geometry *finish(Arena &arena, bool is_closed) const;
 
 private:
+	void note_origin(CornerOrigin origin); // of the point added last
 	void add_points(const Geometry &source, uint32_t first, uint32_t count);
 	// Of the loop that begins at this point: neighbours that are equal, the last and the first too.
 	bool has_doubles(size_t first) const;
@@ -130,7 +136,7 @@ private:
 };
 
 // One face without holes and without corner data. The points lie in the arena, and neighbours differ.
-const Geometry *make_polygon(std::span<const glm::dvec3> points, FaceTag tag, uint16_t material, Arena &arena);
+Geometry *make_polygon(std::span<const glm::dvec3> points, FaceTag tag, uint16_t material, Arena &arena);
 
 // Newell normal of the face's outline, unit.
 glm::dvec3 face_normal(const Geometry &geometry, const GeometryFace &face);

@@ -124,7 +124,7 @@ const Geometry *object_geometry(const LotFaces &faces, const Lot &lot, GeometryB
 		uvs.resize(points, no_uv());
 	}
 	CornerData corners;
-	corners.uvs[0] = uvs.data();
+	corners.put(0, uvs.data());
 	Geometry source;
 	source.corners = std::ranges::any_of(uvs, has_uv) ? &corners : nullptr;
 	const glm::dmat3 to_object = glm::transpose(lot.object_axes);

@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/cga/color.h"
 #include "core/cga/context.h"
 
 // What rules read and set of their material (CGA reference: attr_material, section 7.2).
@@ -112,7 +111,7 @@ Value color_text(Vm &vm, glm::vec3 color) {
 template <typename Of> Value read_color_text(Vm &vm) { return color_text(vm, glm::vec3(Of::read(vm))); }
 template <typename Of> bool write_color_text(Context &context, const Value &value) {
 	glm::vec4 color = context.shape.look->color;
-	if (!value.is_text() || !parse_color(value.text->view, color)) {
+	if (!value.is_text() || !context.read_color(*value.text, color)) {
 		return false;
 	}
 	Look &look = context.own_look();
@@ -170,9 +169,16 @@ bool write_double_sided(Context &context, const Value &value) {
 
 // A copy of the look's textures, to be changed.
 TextureSlots &own_textures(Context &context, Look &look) {
-	TextureSlots *slots = look.textures != nullptr ? context.arena.copy(look.textures, 1) : context.arena.make(TextureSlots());
+	static constexpr TextureSlots nothing;
+	TextureSlots *slots = context.arena.copy(look.textures != nullptr ? look.textures : &nothing, 1);
 	look.textures = slots;
 	return *slots;
+}
+
+void put_texture(Look &look, TextureSlots &textures, TextureUse use, const TextureFiles::Entry &entry) {
+	look.parts |= bit_of(use);
+	textures.slots[size_t(use)].file = entry.file;
+	textures.slots[size_t(use)].path = entry.path;
 }
 
 constexpr std::array<std::string_view, texture_use_count> map_names = { "colormap", "bumpmap", "dirtmap", "specularmap", "opacitymap", "normalmap",
@@ -205,7 +211,9 @@ template <size_t use> bool write_map(Context &context, const Value &value) {
 	if (!value.is_text()) {
 		return false;
 	}
-	set_texture(context, TextureUse(use), *value.text);
+	const TextureFiles::Entry entry = context.texture_files.find(context, *value.text);
+	Look &look = context.own_look();
+	put_texture(look, own_textures(context, look), TextureUse(use), entry);
 	return true;
 }
 template <size_t use, size_t field> Value read_map_field(Vm &vm) {
@@ -296,14 +304,13 @@ bool write_material_variable(Vm &vm, uint32_t index, const Value &value) {
 	return index < all_rows().size() && all_rows()[index].write(Context::of(vm), value);
 }
 
-TextureFiles::Entry set_texture(Context &context, TextureUse use, const Text &name) {
-	Look &look = context.own_look();
-	look.parts |= bit_of(use);
-	TextureSlot &slot = own_textures(context, look).slots[size_t(use)];
-	slot.file = context.model.materials().texts().intern(name);
+// The opacity map is the same picture if that has an alpha channel, else there is none.
+void set_color_texture(Context &context, const Text &name) {
 	const TextureFiles::Entry entry = context.texture_files.find(context, name);
-	slot.path = entry.path;
-	return entry;
+	Look &look = context.own_look();
+	TextureSlots &textures = own_textures(context, look);
+	put_texture(look, textures, TextureUse::Color, entry);
+	put_texture(look, textures, TextureUse::Opacity, entry.has_alpha ? entry : TextureFiles::Entry());
 }
 
 } // namespace pcg::cga

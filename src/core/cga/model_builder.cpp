@@ -244,20 +244,23 @@ void ModelBuilder::add_corner_data(Mesh &mesh, const Shape &shape, const Geometr
 	const Geometry &geometry = *shape.geometry;
 	const size_t first = geometry.first_point(face.first_loop), count = geometry.face_point_count(face);
 	const size_t corner = mesh.positions.size() - count;
-	const glm::dvec2 *base = geometry.uvs(0);
-	for (size_t set = 0; geometry.corners != nullptr && set < uv_set_count; ++set) {
-		if (const glm::dvec2 *uvs = geometry.uvs(set)) {
-			std::vector<glm::vec2> &target = mesh.uvs[set];
-			if (target.size() < corner) {
-				complete_uvs(mesh, set, corner);
-			}
-			for (size_t i = first; i < first + count; ++i) {
-				const glm::dvec2 uv = has_uv(uvs[i]) || base == nullptr ? uvs[i] : base[i];
-				target.push_back(has_uv(uv) ? glm::vec2(uv) : glm::vec2(0.0f));
-			}
+	const CornerData *const corners = geometry.corners;
+	const size_t set_end = corners != nullptr ? corners->set_end : 0;
+	for (size_t set = 0; set < set_end; ++set) {
+		if (corners->uvs[set] == nullptr) {
+			continue;
+		}
+		const glm::dvec2 *uvs = corners->uvs[set], *base = corners->uvs[0];
+		std::vector<glm::vec2> &target = mesh.uvs[set];
+		if (target.size() < corner) {
+			complete_uvs(mesh, set, corner);
+		}
+		for (size_t i = first; i < first + count; ++i) {
+			const glm::dvec2 uv = has_uv(uvs[i]) || base == nullptr ? uvs[i] : base[i];
+			target.push_back(has_uv(uv) ? glm::vec2(uv) : glm::vec2(0.0f));
 		}
 	}
-	const glm::dvec3 *normals = geometry.corners != nullptr ? geometry.corners->normals : nullptr;
+	const glm::dvec3 *normals = corners != nullptr ? corners->normals : nullptr;
 	if (normals == nullptr && mesh.normals.empty()) {
 		return;
 	}

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <new>
 
 #include <glm/common.hpp>
 
@@ -52,11 +53,20 @@ private:
 	std::vector<std::unique_ptr<Deriver>> _resting;
 };
 
+// GNU's allocator lets the heap of a thread that is not the first grow by a system call for each 4 KB, and during each of them other threads wait for
+// new memory. What was asked for in one piece and given back stays at the heap's end: the models of some 32 small lots, 20 KB, take one call.
+void make_room_for_models() {
+	::operator delete(::operator new(32 * 1024));
+}
+
 // Small lots take microseconds: a thread takes several that lie side by side, or the threads would wait for each other's counters and locks.
 template <typename Use> void for_each_lot(size_t count, Pool &pool, const WorkOptions &work, Use use) {
 	constexpr size_t most = 32, least_turns = 256; // so that no thread is left with a long last turn
 	const size_t run = std::clamp<size_t>(count / least_turns, 1, most);
 	parallel_for((count + run - 1) / run, work, [&](size_t turn) {
+		if (run > 1) {
+			make_room_for_models();
+		}
 		pool.with([&](Deriver &deriver) {
 			for (size_t i = turn * run; i < std::min(count, (turn + 1) * run); ++i) {
 				use(deriver, i);

@@ -6,7 +6,7 @@ const CornerData *cut_block_corners(const Geometry &block, int axis, double a, d
 	const double middle = 0.5 * (block.low[axis] + block.high[axis]);
 	const auto is_high = [&](uint32_t corner) { return block.points[corner][axis] > middle; };
 	CornerData *result = arena.make(*block.corners);
-	for (size_t set = 0; set < uv_set_count; ++set) {
+	for (size_t set = 0; set < block.corners->set_end; ++set) {
 		const glm::dvec2 *source = block.corners->uvs[set];
 		if (source == nullptr) {
 			continue;
@@ -19,7 +19,7 @@ const CornerData *cut_block_corners(const Geometry &block, int axis, double a, d
 			const double share = is_high(i) ? 1.0 - b : a; // of the way to the other end
 			uvs[i] = is_end ? (share > 0.0 ? no_uv() : source[i]) : source[i] + (source[other] - source[i]) * share;
 		}
-		result->uvs[set] = uvs;
+		result->put(set, uvs);
 	}
 	return result;
 }

@@ -11,7 +11,7 @@ constexpr double degree = 0.017453292519943295;
 
 // Exact for multiples of 90 degrees: a wall turned four times is the same wall.
 double sine(double degrees) {
-	const double turned = std::fmod(degrees, 360.0);
+	const double turned = std::abs(degrees) < 360.0 ? degrees : std::fmod(degrees, 360.0);
 	if (turned == 0.0 || std::abs(turned) == 180.0) {
 		return 0.0;
 	}

@@ -81,9 +81,15 @@ bool matches_slope(SelectorKind kind, double sine) {
 	}
 }
 
+// A negative size turns the scope's sides around.
+glm::dvec3 in_scope(glm::dvec3 normal, const Shape &shape) {
+	const bool is_turned = shape.size.x < 0.0 || shape.size.y < 0.0 || shape.size.z < 0.0;
+	return is_turned ? glm::mix(normal, -normal, glm::lessThan(shape.size, glm::dvec3(0.0))) : normal;
+}
+
 glm::dvec3 in_system(glm::dvec3 normal, SelectorSystem system, const Shape &shape, const Lot &lot) {
-	if (system == SelectorSystem::Scope) { // a negative size turns the scope's sides around
-		return glm::mix(normal, -normal, glm::lessThan(shape.size, glm::dvec3(0.0)));
+	if (system == SelectorSystem::Scope) {
+		return in_scope(normal, shape);
 	}
 	const glm::dvec3 direction = shape.frame().axes * normal;
 	switch (system) {
@@ -127,6 +133,10 @@ std::span<const std::string_view> selector_words() {
 		"object.top", "object.bottom", "object.side", "street.front", "street.back", "street.left", "street.right", "street.side", "world.south",
 		"world.north", "world.west", "world.east", "world.up", "world.down", "world.side" };
 	return words;
+}
+
+SelectorKind scope_side(const Component &component, const Shape &shape) {
+	return side_of(in_scope(component.normal, shape));
 }
 
 bool matches(Selector selector, const Component &component, const Shape &shape, const Lot &lot) {

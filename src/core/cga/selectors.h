@@ -59,6 +59,8 @@ struct Component {
 // All plain words and those of the systems, for rules that use them within expressions.
 std::span<const std::string_view> selector_words();
 
+// The side of its scope that it looks to: Front, Back, Left, Right, Top or Bottom.
+SelectorKind scope_side(const Component &component, const Shape &shape);
 bool matches(Selector selector, const Component &component, const Shape &shape, const Lot &lot);
 
 } // namespace pcg::cga

@@ -27,6 +27,15 @@ const CornerData *baked_corners(const Shape &shape, Arena &arena) {
 	return result;
 }
 
+// The scope begins at a point of its old coordinates. What is flat has the size 0, which i() asks for.
+void put_scope(Shape &shape, glm::dvec3 origin, glm::dvec3 size) {
+	const double thin = 1e-9 * (std::abs(size.x) + std::abs(size.y) + std::abs(size.z));
+	const auto thick = [&](double length) { return std::abs(length) <= thin ? 0.0 : length; };
+	shape.size = { thick(size.x), thick(size.y), thick(size.z) };
+	shape.geometry_offset -= origin;
+	shape.position += shape.rotation * origin;
+}
+
 } // namespace
 
 glm::dmat3 normal_matrix(const Shape &shape) {
@@ -51,12 +60,7 @@ void refit(Shape &shape) {
 	const glm::dvec3 old = shape.size;
 	const glm::dvec3 origin(pick(old.x < 0.0, high.x, low.x), pick(old.y < 0.0, high.y, low.y), pick(old.z < 0.0, high.z, low.z));
 	const glm::dvec3 far(pick(old.x < 0.0, low.x, high.x), pick(old.y < 0.0, low.y, high.y), pick(old.z < 0.0, low.z, high.z));
-	const glm::dvec3 size = far - origin;
-	const double thin = 1e-9 * (std::abs(size.x) + std::abs(size.y) + std::abs(size.z)); // what is flat has the size 0, which i() asks for
-	const auto thick = [&](double length) { return std::abs(length) <= thin ? 0.0 : length; };
-	shape.size = { thick(size.x), thick(size.y), thick(size.z) };
-	shape.geometry_offset -= origin;
-	shape.position += shape.rotation * origin;
+	put_scope(shape, origin, far - origin);
 }
 
 void set_geometry(Shape &shape, const Geometry *geometry) {
@@ -64,7 +68,10 @@ void set_geometry(Shape &shape, const Geometry *geometry) {
 	shape.geometry_offset = glm::dvec3(0.0);
 	shape.geometry_scale = glm::dvec3(1.0);
 	shape.size = glm::dvec3(0.0);
-	refit(shape);
+	if (geometry != nullptr) {
+		const glm::dvec3 low = geometry->low + 0.0; // never -0
+		put_scope(shape, low, geometry->high - low);
+	}
 }
 
 const Geometry *baked(const Shape &shape, Arena &arena) {

@@ -8,22 +8,38 @@
 namespace pcg::cga {
 
 TextureFiles::Entry TextureFiles::find(Context &context, const Text &name) {
-	const AssetProvider *assets = context.options().assets;
-	const bool is_built_in = name.view.starts_with("builtin:");
-	if (assets == nullptr || name.view.empty() || is_built_in) {
-		return {};
-	}
 	TextPool &texts = context.model.materials().texts();
-	const uint32_t file = context.vm.place().file;
-	const auto [place, is_new] = _entries.try_emplace((uint64_t(file) << 32) | texts.intern(name));
-	if (is_new) {
-		const std::string &rule_file = context.vm.program().files[file];
-		place->second = { texts.intern(std::string_view(assets->locate(name.view, rule_file))), assets->has_alpha(name.view, rule_file) };
+	const uint32_t rule_file = context.vm.place().file, text = texts.intern(name);
+	if (rule_file >= _entries.size()) {
+		_entries.resize(rule_file + 1u);
 	}
-	if (place->second.path == 0 && !context.vm.has_warned()) {
+	std::vector<Known> &entries = _entries[rule_file];
+	if (text >= entries.size()) {
+		entries.resize(text + 1u);
+	}
+	Known &known = entries[text];
+	if (!known.was_asked) {
+		known = ask(context, name, rule_file);
+	}
+	if (known.is_missing && !context.vm.has_warned()) {
 		context.vm.warn("missing-texture", "there is no picture \"" + std::string(name.view) + "\"; the surface has its colour only");
 	}
-	return place->second;
+	return known;
+}
+
+TextureFiles::Known TextureFiles::ask(Context &context, const Text &name, uint32_t rule_file) const {
+	TextPool &texts = context.model.materials().texts();
+	const AssetProvider *assets = context.options().assets;
+	Known known;
+	known.file = texts.intern(name);
+	known.was_asked = true;
+	if (assets != nullptr && !name.view.empty() && !name.view.starts_with("builtin:")) {
+		const std::string &from = context.vm.program().files[rule_file];
+		known.path = texts.intern(std::string_view(assets->locate(name.view, from)));
+		known.has_alpha = assets->has_alpha(name.view, from);
+		known.is_missing = known.path == 0;
+	}
+	return known;
 }
 
 } // namespace pcg::cga

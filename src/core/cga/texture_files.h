@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <unordered_map>
+#include <vector>
 
 #include "core/lang/value.h"
 
@@ -13,7 +13,8 @@ class Context;
 class TextureFiles {
 public:
 	struct Entry {
-		uint32_t path = 0; // in the TextPool; 0: the host knows of none
+		uint32_t file = 0; // as the rule names it, in the TextPool
+		uint32_t path = 0; // 0: the host knows of none
 		bool has_alpha = false;
 	};
 
@@ -22,7 +23,12 @@ public:
 	Entry find(Context &context, const Text &name);
 
 private:
-	std::unordered_map<uint64_t, Entry> _entries;
+	struct Known : Entry {
+		bool was_asked = false, is_missing = false;
+	};
+	Known ask(Context &context, const Text &name, uint32_t rule_file) const;
+
+	std::vector<std::vector<Known>> _entries; // by rule file, by text
 };
 
 } // namespace pcg::cga

@@ -73,8 +73,9 @@ private:
 
 int uv_set_of(Context &context, const Value &value) {
 	const double number = context.finite(value);
-	if (number >= 0.0 && number < double(uv_set_count) && number == std::floor(number)) {
-		return int(number);
+	const int set = number >= 0.0 && number < double(uv_set_count) ? int(number) : -1;
+	if (set >= 0 && double(set) == number) {
+		return set;
 	}
 	context.vm.warn("bad-uv-set", "texture coordinate sets are numbered from 0 to 9", "0 is the colour map's, 2 the dirt map's");
 	return -1;

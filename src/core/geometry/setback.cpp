@@ -202,6 +202,25 @@ Loops2 chained_strips(const Setback &setback) {
 	return { outline, back };
 }
 
+// Of any outline, by its skeleton.
+Setback set_back_any(const Loops2 &polygon, std::span<const double> distances) {
+	if (is_crossing(polygon)) {
+		return unmoved(polygon, false);
+	}
+	StraightSkeleton skeleton = straight_skeleton(polygon, distances, 1.0);
+	Setback result;
+	result.strips = strips_of(skeleton);
+	if (!adds_up(result.strips, skeleton, area_of(polygon))) {
+		return unmoved(polygon, false);
+	}
+	SmallVector<SourcedLoop, 1> loops;
+	for (SkeletonFront &front : skeleton.fronts) {
+		loops.push_back({ std::move(front.points), std::move(front.edges) });
+	}
+	result.rest = polygons_of(std::move(loops));
+	return result;
+}
+
 SourcedLoop turned_back(const SkeletonFront &front, std::span<const uint32_t> sources) {
 	SourcedLoop loop;
 	const size_t count = front.points.size();
@@ -214,28 +233,15 @@ SourcedLoop turned_back(const SkeletonFront &front, std::span<const uint32_t> so
 
 } // namespace
 
+// One result in one place: moving one moves all of its points.
 Setback set_back(const Loops2 &polygon, std::span<const double> distances) {
+	Setback result;
 	const bool is_moving = std::ranges::any_of(distances, [](double d) { return d > 0.0; });
 	if (!is_moving || distances.size() != edge_count(polygon)) {
-		return unmoved(polygon, true);
+		result.rest = { polygon };
+	} else if (!set_back_plain(polygon, distances, result)) {
+		result = set_back_any(polygon, distances);
 	}
-	Setback result;
-	if (set_back_plain(polygon, distances, result)) {
-		return result;
-	}
-	if (is_crossing(polygon)) {
-		return unmoved(polygon, false);
-	}
-	StraightSkeleton skeleton = straight_skeleton(polygon, distances, 1.0);
-	result.strips = strips_of(skeleton);
-	if (!adds_up(result.strips, skeleton, area_of(polygon))) {
-		return unmoved(polygon, false);
-	}
-	SmallVector<SourcedLoop, 1> loops;
-	for (SkeletonFront &front : skeleton.fronts) {
-		loops.push_back({ std::move(front.points), std::move(front.edges) });
-	}
-	result.rest = polygons_of(std::move(loops));
 	return result;
 }
 

@@ -281,7 +281,7 @@ bool lies_within(const Solid &inner, const Solid &outer) {
 
 void Solid::add_polygon(std::span<const glm::dvec3> points, std::span<const uint32_t> loop_ends) {
 	const glm::dvec3 normal = loop_normal(points.first(loop_ends[0]));
-	std::vector<glm::dvec2> flat;
+	Loop2 flat;
 	for (const glm::dvec3 &point : points) {
 		flat.push_back(flatten(point, normal));
 	}

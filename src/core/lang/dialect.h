@@ -33,6 +33,23 @@ enum class ParamKind : uint8_t {
 	Target, // a name that the operation writes to: arrives as ValueType::Attribute or, of a writable variable, ValueType::Variable
 };
 
+// The type that a parameter asks for at run time; Void: any.
+constexpr ValueType wanted_type(ParamKind kind) {
+	switch (kind) {
+		case ParamKind::Number:
+		case ParamKind::Size:
+			return ValueType::Number;
+		case ParamKind::Bool:
+			return ValueType::Bool;
+		case ParamKind::Text:
+			return ValueType::Text;
+		case ParamKind::Array:
+			return ValueType::Array;
+		default:
+			return ValueType::Void;
+	}
+}
+
 struct ParamSpec {
 	std::string_view name;
 	ParamKind kind = ParamKind::Any;

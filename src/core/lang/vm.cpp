@@ -111,30 +111,40 @@ void Vm::reset_initial_attributes() {
 
 bool Vm::is_strict() const { return _program->dialect != nullptr && _program->dialect->is_strict(); }
 
+// Says which limit does not let a rule or function be called.
+bool Vm::fail_call() {
+	constexpr std::string_view endless = "a rule that calls itself needs a case that ends it";
+	if (_silent_steps > _limits.max_silent_steps) {
+		fail("step-limit", "functions called each other " + std::to_string(_limits.max_silent_steps) + " times for one value",
+				"a function that calls itself twice needs twice the time for each level: keep what it gives in a `with` value");
+	} else if (_call_depth >= _limits.max_depth) {
+		fail("recursion-limit", "rules and functions call each other deeper than " + std::to_string(_limits.max_depth) + " levels", std::string(endless));
+	} else {
+		fail("recursion-limit", "the rules need more than " + std::to_string(_limits.max_stack) + " values at a time", std::string(endless));
+	}
+	return false;
+}
+
+bool Vm::fail_native() {
+	fail("recursion-limit", "blocks nested deeper than " + std::to_string(_limits.max_native_depth) + " levels while running",
+			"a rule that calls itself needs a case that ends it");
+	return false;
+}
+
 bool Vm::enter(uint32_t index, uint32_t count, uint32_t return_address, VmFrame::Kind kind) {
 	if (!count_step()) {
 		return false;
 	}
-	if (kind == VmFrame::Kind::Rule) {
-		_silent_steps = 0;
-	} else if (++_silent_steps > _limits.max_silent_steps) {
-		fail("step-limit", "functions called each other " + std::to_string(_limits.max_silent_steps) + " times for one value",
-				"a function that calls itself twice needs twice the time for each level: keep what it gives in a `with` value");
-		return false;
-	}
-	if (_call_depth >= _limits.max_depth) {
-		fail("recursion-limit", "rules and functions call each other deeper than " + std::to_string(_limits.max_depth) + " levels",
-				"a rule that calls itself needs a case that ends it");
-		return false;
-	}
-	if (_top + _program->max_stack > _stack_end) {
-		fail("recursion-limit", "the rules need more than " + std::to_string(_limits.max_stack) + " values at a time",
-				"a rule that calls itself needs a case that ends it");
-		return false;
+	_silent_steps = kind == VmFrame::Kind::Function ? _silent_steps + 1 : 0;
+	if (_silent_steps > _limits.max_silent_steps || _call_depth >= _limits.max_depth || _top + _program->max_stack > _stack_end) [[unlikely]] {
+		return fail_call();
 	}
 	const Callable &callable = _program->callables[index];
 	_frames.push_back({ kind, index, return_address, _base, uint32_t(_trail.size()) });
 	++_call_depth;
+	if (kind == VmFrame::Kind::HostRule) {
+		++_native_depth;
+	}
 	if (_program->dialect->locals == Dialect::Locals::Dynamic) {
 		_top -= count;
 		for (uint32_t i = 0; i < count; ++i) {
@@ -167,6 +177,9 @@ void Vm::pop_frame() {
 			_attributes = _outer_attributes.back();
 			_outer_attributes.pop_back();
 			break;
+		case VmFrame::Kind::HostRule:
+			--_call_depth;
+			[[fallthrough]];
 		case VmFrame::Kind::Native:
 			--_native_depth;
 			_base = frame.base;
@@ -177,12 +190,7 @@ void Vm::pop_frame() {
 
 bool Vm::enter_native(Border &border) {
 	border = { _frames.size(), _address, _base, _top };
-	if (_failed || !count_step()) {
-		return false;
-	}
-	if (!can_enter_native()) {
-		fail("recursion-limit", "blocks nested deeper than " + std::to_string(_limits.max_native_depth) + " levels while running",
-				"a rule that calls itself needs a case that ends it");
+	if (!may_enter_native()) {
 		return false;
 	}
 	_frames.push_back({ VmFrame::Kind::Native, 0, _address, _base, uint32_t(_trail.size()) });
@@ -229,11 +237,12 @@ RunState Vm::call(RuleId rule, std::span<const Value> args) {
 		return RunState::Failed;
 	}
 	take_stack();
-	Border border;
+	Border border = { _frames.size(), _address, _base, _top };
 	Stop stop = Stop::Stopped;
-	if (enter_native(border)) {
+	const bool is_by_host = _program->dialect->rule_calls == Dialect::RuleCalls::ByHost;
+	if (is_by_host ? may_enter_native() : enter_native(border)) {
 		_top = std::copy(args.begin(), args.end(), _top);
-		if (enter(index_of(rule), uint32_t(args.size()), 0, VmFrame::Kind::Rule)) {
+		if (enter(index_of(rule), uint32_t(args.size()), 0, is_by_host ? VmFrame::Kind::HostRule : VmFrame::Kind::Rule)) {
 			stop = run();
 		}
 	}
@@ -298,19 +307,6 @@ Flow Vm::run_body(Chunk chunk) {
 	if (chunk == Chunk::None) {
 		return Flow::Next;
 	}
-	const Instruction *code = _program->code.data() + uint32_t(chunk);
-	if (code[0].code == OpCode::CallHostRule && code[0].count == 0 && code[1].code == OpCode::End && can_enter_native()) {
-		if (_failed || !count_step()) { // most bodies are one call, which needs no frame
-			return Flow::Stop;
-		}
-		const uint32_t address = _address;
-		_address = uint32_t(chunk) + 1;
-		++_native_depth; // a host may run the rule at once
-		const Flow flow = call_host_rule(RuleId(code[0].operand), {});
-		--_native_depth;
-		_address = address;
-		return flow == Flow::Next ? Flow::Next : Flow::Stop;
-	}
 	Border border;
 	Stop stop = Stop::Stopped;
 	if (enter_native(border)) {
@@ -319,6 +315,15 @@ Flow Vm::run_body(Chunk chunk) {
 	}
 	leave_native(border);
 	return stop == Stop::Returned && !_failed ? Flow::Next : Flow::Stop;
+}
+
+RuleId Vm::only_call(Chunk body) const {
+	if (body == Chunk::None) {
+		return RuleId::Invalid;
+	}
+	const Instruction *code = _program->code.data() + uint32_t(body);
+	const bool is_one = code[0].code == OpCode::CallHostRule && code[0].count == 0 && code[1].code == OpCode::End;
+	return is_one && can_enter_native() ? RuleId(code[0].operand) : RuleId::Invalid;
 }
 
 // --- Messages
@@ -330,7 +335,7 @@ SourcePlace Vm::place() const {
 
 RuleId Vm::running_rule() const {
 	for (size_t i = _frames.size(); i-- > 0;) {
-		if (_frames[i].kind == VmFrame::Kind::Rule) {
+		if (_frames[i].kind == VmFrame::Kind::Rule || _frames[i].kind == VmFrame::Kind::HostRule) {
 			return RuleId(_frames[i].callable);
 		}
 	}

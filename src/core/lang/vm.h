@@ -47,8 +47,9 @@ public:
 enum class RunState : uint8_t { Finished, Paused, Failed };
 
 // One level of what is running. Group: `[ .. ]`. Import: a call with attributes of its own. Native: the border to a handler that evaluates or runs a chunk.
+// HostRule: a rule that a host with RuleCalls::ByHost runs, and the border to it; these never pause.
 struct VmFrame {
-	enum class Kind : uint8_t { Rule, Function, Group, Native, Import } kind = Kind::Rule;
+	enum class Kind : uint8_t { Rule, Function, Group, Native, Import, HostRule } kind = Kind::Rule;
 	uint32_t callable = 0; // of Rule and Function: index in Program::callables
 	uint32_t return_address = 0;
 	uint32_t base = 0; // of the caller
@@ -119,6 +120,20 @@ public:
 	// stopped gives Flow::Stop; it cannot pause.
 	Value evaluate(Chunk chunk);
 	Flow run_body(Chunk chunk);
+	// Most bodies are one call of a rule without arguments, which a host (RuleCalls::ByHost) may make itself instead of running them. Invalid: another body.
+	RuleId only_call(Chunk body) const;
+	// `call()` in its place: counts as running the body does, and messages name it.
+	template <typename Call> Flow make_only_call(Chunk body, Call call) {
+		_silent_steps = 0;
+		if (_failed || !count_step() || !count_step()) {
+			return Flow::Stop;
+		}
+		const uint32_t address = _address;
+		_address = uint32_t(body) + 1;
+		const Flow flow = call();
+		_address = address;
+		return _failed ? Flow::Stop : flow;
+	}
 	// Entries of a block of the running operation, or of a nested block (BlockEntry::block).
 	std::span<const BlockEntry> entries(const Block &block) const {
 		return { _program->entries.data() + block.first_entry, block.entry_count };
@@ -207,8 +222,11 @@ private:
 	}
 	bool count_step_with_care();
 	bool fail_steps();
+	bool fail_call();
+	bool fail_native();
 	Value evaluate_leaf(Chunk chunk);
 	void reset_initial_attributes();
+	bool may_enter_native() { return !_failed && count_step() && (can_enter_native() || fail_native()); }
 	bool can_enter_native() const { return _native_depth < _limits.max_native_depth && _top + _program->max_stack <= _stack_end; }
 	Flow call_host_rule(RuleId rule, std::span<const Value> args);
 	const Value &load_attribute(uint32_t index);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <bit>
 
 #include "core/lang/opcode.h"
@@ -30,20 +31,31 @@ bool are_numbers(const Value *arguments, uint32_t count, uint32_t mask) {
 	return true;
 }
 
+// Of other calls: each argument that is checked is of the one type that its parameter wants.
+bool are_wanted(const Value *arguments, uint32_t count, const std::vector<ParamSpec> &params, uint32_t mask) {
+	bool are = count <= std::min<size_t>(params.size(), last_check_bit);
+	for (mask &= check_mask_others - 1; are && mask != 0; mask &= mask - 1) {
+		const int i = std::countr_zero(mask);
+		are = arguments[i].type == wanted_type(params[size_t(i)].kind);
+	}
+	return are;
+}
+
 } // namespace
 
-Flow Vm::call_host_rule(RuleId rule, std::span<const Value> args) {
+inline Flow Vm::call_host_rule(RuleId rule, std::span<const Value> args) {
 	_silent_steps = 0;
 	const Flow flow = count_step() ? _host->call_rule(*this, rule, args) : Flow::Stop;
 	return _failed ? Flow::Stop : flow;
 }
 
-Flow Vm::call_operation(const Instruction &instruction, uint32_t mask, const Block *block, const Block *second_block) {
+inline Flow Vm::call_operation(const Instruction &instruction, uint32_t mask, const Block *block, const Block *second_block) {
 	const OperationSpec &spec = _program->dialect->operations[instruction.extra];
 	Value *const first = _top - instruction.count;
 	const Args args = { { first, instruction.count }, block, second_block, spec.user };
 	_silent_steps = 0;
-	if (!count_step() || (!are_numbers(first, instruction.count, mask) && !check_arguments(spec.params, spec.name, args, mask))) {
+	const bool are_fit = are_numbers(first, instruction.count, mask) || are_wanted(first, instruction.count, spec.params, mask);
+	if (!count_step() || (!are_fit && !check_arguments(spec.params, spec.name, args, mask))) {
 		return Flow::Stop;
 	}
 	const Flow flow = spec.handler(*this, args);
@@ -368,7 +380,7 @@ Vm::Stop Vm::run() {
 				const uint32_t base = _base;
 				store();
 				pop_frame();
-				if (kind == VmFrame::Kind::Native) {
+				if (kind == VmFrame::Kind::Native || kind == VmFrame::Kind::HostRule) {
 					return Stop::Returned;
 				}
 				const Value result = i.code == OpCode::Return ? top[-1] : Value();

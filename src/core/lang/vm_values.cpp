@@ -240,23 +240,6 @@ Value Vm::negate(const Value &value) {
 
 namespace {
 
-// The type that a parameter asks for at run time; Void: any.
-ValueType wanted_type(ParamKind kind) {
-	switch (kind) {
-		case ParamKind::Number:
-		case ParamKind::Size:
-			return ValueType::Number;
-		case ParamKind::Bool:
-			return ValueType::Bool;
-		case ParamKind::Text:
-			return ValueType::Text;
-		case ParamKind::Array:
-			return ValueType::Array;
-		default:
-			return ValueType::Void;
-	}
-}
-
 bool fits(ParamKind kind, ValueType type) {
 	const ValueType wanted = wanted_type(kind);
 	return type == wanted || (kind == ParamKind::WordOrNumber ? type == ValueType::Number || type == ValueType::Word : wanted == ValueType::Void);

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <string_view>
 
-#include "core/cga/color.h"
 #include "core/cga/context.h"
 #include "core/cga/material_variables.h"
 #include "core/cga/operations/operations.h"
@@ -15,7 +14,7 @@ namespace {
 Flow color_from_text(Vm &vm, const Args &args) {
 	Context &context = Context::of(vm);
 	glm::vec4 color = context.shape.look->color;
-	if (!args[0].is_text() || !parse_color(args[0].text->view, color)) {
+	if (!args[0].is_text() || !context.read_color(*args[0].text, color)) {
 		vm.warn("bad-color", "a colour is written \"#rrggbb\" or, with opacity, \"#rrggbbaa\"");
 		return Flow::Next;
 	}
@@ -41,15 +40,10 @@ Flow color_from_numbers(Vm &vm, const Args &args) {
 	return Flow::Next;
 }
 
-// The opacity map is the same picture if that has an alpha channel, else there is none.
 Flow texture(Vm &vm, const Args &args) {
-	Context &context = Context::of(vm);
-	if (!args[0].is_text()) {
-		return Flow::Next;
+	if (args[0].is_text()) {
+		set_color_texture(Context::of(vm), *args[0].text);
 	}
-	const Text &name = *args[0].text;
-	const bool has_alpha = set_texture(context, TextureUse::Color, name).has_alpha;
-	set_texture(context, TextureUse::Opacity, has_alpha ? name : Text());
 	return Flow::Next;
 }
 

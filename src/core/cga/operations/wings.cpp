@@ -62,13 +62,9 @@ struct Wing {
 	double depth;
 };
 
-double depth_of(std::span<const Wing> wings, const Component &edge, const Shape &shape, const Lot &lot) {
-	for (const Wing &wing : wings) {
-		if (matches({ wing.side, SelectorSystem::Scope }, edge, shape, lot)) {
-			return wing.depth;
-		}
-	}
-	return 0.0;
+double depth_of(std::span<const Wing> wings, const Component &edge, const Shape &shape) {
+	const auto wing = std::ranges::find(wings, scope_side(edge, shape), &Wing::side);
+	return wing != wings.end() ? wing->depth : 0.0;
 }
 
 Flow make_wings(Context &context, const Block *block, std::span<const Wing> wings) {
@@ -84,18 +80,18 @@ Flow make_wings(Context &context, const Block *block, std::span<const Wing> wing
 	for (const FlatFace &face : pieces.faces) {
 		SmallVector<double, 8> depths;
 		for (uint32_t i = 0; i < face.edge_count(); ++i) {
-			depths.push_back(depth_of(wings, edges[first + i].component, context.shape, context.lot()));
+			depths.push_back(depth_of(wings, edges[first + i].component, context.shape));
 		}
 		first += face.edge_count();
-		const Setback result = set_back(face.loops(), depths);
+		Setback result = set_back(face.loops(), depths);
 		if (!result.is_complete) {
 			context.vm.warn("broken-outline", "the outline of this face crosses itself; it gets no wings");
 		}
 		for (const Loops2 &polygon : joined_strips(result)) {
 			pieces.shape.push_back({ &face, begun_at_first_edge(without_seams(polygon, face), face) });
 		}
-		for (const Loops2 &polygon : result.rest) {
-			pieces.rest.push_back({ &face, polygon });
+		for (Loops2 &polygon : result.rest) {
+			pieces.rest.push_back({ &face, std::move(polygon) });
 		}
 	}
 	return run_both(context, *block, pieces);
