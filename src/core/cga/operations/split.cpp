@@ -4,7 +4,6 @@
 
 #include <glm/common.hpp>
 
-#include "core/cga/block_ends.h"
 #include "core/cga/context.h"
 #include "core/cga/operations/operations.h"
 #include "core/cga/operations/split_parts.h"
@@ -96,7 +95,7 @@ void cut_corners(Context &context, Shape &child, int axis, double a, double b) {
 }
 
 // From `low` to `high` in scope coordinates. False: nothing of the geometry lies there.
-bool cut(Context &context, Shape &child, int axis, double low, double high, BlockEnds &ends) {
+bool cut(Context &context, Shape &child, int axis, double low, double high) {
 	const Geometry &geometry = *child.geometry;
 	const double a = child.to_scope(geometry.low)[axis], b = child.to_scope(geometry.high)[axis];
 	const double from = std::min(a, b), to = std::max(a, b);
@@ -108,8 +107,6 @@ bool cut(Context &context, Shape &child, int axis, double low, double high, Bloc
 		return false;
 	}
 	if (geometry.is_block) {
-		const bool is_low_cut = low > from + margin, is_high_cut = high < to - margin, is_mirrored = child.geometry_scale[axis] < 0.0;
-		child.geometry = ends.cut(geometry, axis, is_mirrored ? is_high_cut : is_low_cut, is_mirrored ? is_low_cut : is_high_cut, !is_mirrored, context.arena);
 		const double factor = (std::min(high, to) - std::max(low, from)) / (to - from);
 		if (geometry.corners != nullptr) {
 			cut_corners(context, child, axis, (std::max(low, from) - from) / (to - from), (std::min(high, to) - from) / (to - from));
@@ -135,10 +132,10 @@ bool cut(Context &context, Shape &child, int axis, double low, double high, Bloc
 }
 
 // False: nothing of the shape lies in the part.
-bool make_part(Context &context, const SplitPart &part, int axis, bool adjusts, Shape &child, BlockEnds &ends) {
+bool make_part(Context &context, const SplitPart &part, int axis, bool adjusts, Shape &child) {
 	const bool is_negative = child.size[axis] < 0.0;
 	const double low = is_negative ? -part.to : part.from, high = is_negative ? -part.from : part.to;
-	if (!cut(context, child, axis, low, high, ends)) {
+	if (!cut(context, child, axis, low, high)) {
 		return false;
 	}
 	if (adjusts) {
@@ -166,13 +163,12 @@ Flow run_split(Context &context, const SplitSizes &sizes, const SplitLayout &lay
 				"its sizes are in metres; use a larger one, or raise the limit");
 	}
 	Context::Children children(context);
-	BlockEnds ends;
 	uint32_t index = 0;
 	for (const SplitPart &part : layout.parts) {
 		Shape child = children.parent();
 		child.split_index = index++;
 		child.split_total = uint32_t(layout.parts.size());
-		if (make_part(context, part, axis, adjusts, child, ends) && children.run(child, sizes.entries[part.entry]->body) != Flow::Next) {
+		if (make_part(context, part, axis, adjusts, child) && children.run(child, sizes.entries[part.entry]->body) != Flow::Next) {
 			return Flow::Stop;
 		}
 	}
