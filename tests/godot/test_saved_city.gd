@@ -51,6 +51,31 @@ func test_a_saved_city_is_loaded_as_it_was_without_its_rules() -> void:
 		again.free()
 
 
+func test_a_city_that_is_saved_while_its_ground_is_baked_is_baked_when_it_is_loaded() -> void:
+	for frames: int in [0, 1, 3, 400]:
+		var city: PCGCity = _grown()
+		await _settle()
+		var lots: Array = _nodes(city, "PCGLot").filter(func(lot: PCGLot) -> bool: return lot.type == "house")
+		var inside: Vector3 = lots[0].global_position + _nodes(lots[0], "PCGEntrance")[0].global_basis.z * 2.5 # a house takes the front 15 m of 20
+		check_equal(city.find_path(inside, inside + Vector3(1, 0, 0)).size(), 0, "a house stands there")
+		lots[0].free()
+		(lots[1] as PCGLot).rotate_y(0.3)
+		for frame: int in frames:
+			await get_tree().process_frame
+		while frames > 3 and city.is_updating_navigation():
+			await get_tree().process_frame
+		var path: String = "user://early_city_of_tests.%s" % ["scn" if frames == 1 else "tscn"]
+		_save(city, path)
+		city.free()
+		var again: PCGCity = await _load(path)
+		await _settle()
+		check_equal(again.is_updating_navigation(), frames <= 3, "saved after %d frames: is anything left to bake" % frames)
+		while again.is_updating_navigation():
+			await get_tree().process_frame
+		check(again.find_path(inside, inside + Vector3(1, 0, 0)).size() > 1, "saved after %d frames: people walk where it stood" % frames)
+		again.free()
+
+
 func test_a_loaded_city_is_lived_in_and_edited() -> void:
 	var city: PCGCity = _grown()
 	_save(city, "user://city_of_tests.scn")

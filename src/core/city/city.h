@@ -36,12 +36,19 @@ struct PublicGround {
 	std::vector<GroundBuild> blocks; // by BlockId: pavements and what is below the lots
 };
 
+// What of the ground for walking has been baked, tile by tile. Ground that is being edited lags behind.
+struct BakedGround {
+	std::vector<GroundPatch> patches; // as they were when no tile was stale
+	std::vector<uint32_t> stale_tiles; // indices in Layout::tiles
+};
+
 struct City {
 	Layout layout;
 	CityModel model;
 	std::vector<LotBuild> lots; // by LotId
 	PublicGround ground;
 	std::vector<GroundPatch> patches; // of the ground for walking
+	BakedGround baked; // kept by whoever bakes it, and saved
 };
 
 } // namespace pcg

@@ -10,7 +10,7 @@ namespace pcg {
 
 namespace {
 
-constexpr uint32_t version = 0x50434703; // changes with the records below
+constexpr uint32_t version = 0x50434704; // changes with the records below
 
 // Each visit names the fields of a record once, for writing and reading.
 template <typename Bytes, typename Point> void visit_point(Bytes &bytes, Point &point) { bytes.values(point.x, point.y, point.z); }
@@ -81,11 +81,20 @@ template <typename Bytes, typename List> void visit_ground_builds(Bytes &bytes, 
 	});
 }
 
+template <typename Bytes, typename Record> void visit_baked(Bytes &bytes, Record &baked) {
+	bytes.list(baked.patches, [](Bytes &inner, auto &patch) {
+		visit_polygon(inner, patch.outline);
+		inner.list(patch.pieces, [](Bytes &innermost, auto &piece) { visit_polygon(innermost, piece); });
+	});
+	visit_values(bytes, baked.stale_tiles);
+}
+
 template <typename Bytes, typename Record> void visit_city(Bytes &bytes, Record &city) {
 	visit_layout(bytes, city.layout);
 	bytes.list(city.lots, [](Bytes &inner, auto &build) { visit_build(inner, build); });
 	visit_ground_builds(bytes, city.ground.streets);
 	visit_ground_builds(bytes, city.ground.blocks);
+	visit_baked(bytes, city.baked);
 }
 
 bool is_polygon(const std::vector<glm::vec3> &polygon) {
@@ -112,6 +121,12 @@ bool is_sound(const Layout &layout) {
 	return std::ranges::all_of(layout.overlaps, is_sound_overlap) && std::ranges::all_of(layout.blocks, [&](const CityBlock &block) { return is_sound(block, layout); }) &&
 			std::ranges::all_of(layout.lots, is_sound_lot) && std::ranges::all_of(layout.streets, is_sound_street) &&
 			std::ranges::all_of(layout.ground, is_sound_ground);
+}
+
+// Only compared with what patches are now.
+bool is_sound(const BakedGround &baked, const Layout &layout) {
+	const auto is_tile = [&](uint32_t tile) { return tile < layout.tiles.size(); };
+	return std::ranges::all_of(baked.stale_tiles, is_tile) && std::ranges::all_of(baked.patches, [](const GroundPatch &patch) { return is_polygon(patch.outline); });
 }
 
 } // namespace
@@ -145,7 +160,7 @@ std::optional<City> city_from_bytes(std::string_view bytes, Diagnostics &diagnos
 	}
 	const bool is_whole = found == version && reader.is_good() && reader.is_at_end() && city.lots.size() == city.layout.lots.size() && is_sound(city.layout) &&
 			city.ground.streets.size() == city.layout.tiles.size() && city.ground.blocks.size() == city.layout.blocks.size() &&
-			std::ranges::all_of(city.lots, [](const LotBuild &lot) { return std::ranges::all_of(lot.free_ground, is_polygon); });
+			std::ranges::all_of(city.lots, [](const LotBuild &lot) { return std::ranges::all_of(lot.free_ground, is_polygon); }) && is_sound(city.baked, city.layout);
 	if (!is_whole) {
 		diagnostics.error("bad-saved-city", found == version ? "the saved layout of this city is damaged" : "this city was saved by another version",
 				"generate it anew");

@@ -31,9 +31,14 @@ class LotLayers {
 public:
 	LotLayers(const City &city, std::span<const PlacedLot> lots) :
 			_city(city), _lots(lots), _is_at_home(city.lots.size()), _lies_over_vacated(city.lots.size()), _is_patched(lots.size()) {
-		for (const PlacedLot &placed : lots) {
-			_outlines.push_back(outline_of(city.layout, placed));
-			_is_at_home[index_of(placed.lot)] = _is_at_home[index_of(placed.lot)] || placed.is_at_home;
+		for (size_t i = 0; i < lots.size(); ++i) {
+			_is_at_home[index_of(lots[i].lot)] = _is_at_home[index_of(lots[i].lot)] || lots[i].is_at_home;
+			if (!city.layout.lot(lots[i].lot).holes.empty()) {
+				_rings.push_back(i);
+			}
+		}
+		for (size_t i = 0; i < lots.size() && !_rings.empty(); ++i) {
+			_outlines.push_back(outline_of(city.layout, lots[i]));
 		}
 		const auto note = [&](LotId lot, LotId below) {
 			_lies_over_vacated[index_of(lot)] = _lies_over_vacated[index_of(lot)] || !_is_at_home[index_of(below)];
@@ -69,11 +74,7 @@ private:
 	bool stands_in(size_t inner, size_t ring) const { return inner != ring && stands_in_hole(_outlines[inner][0], _outlines[ring]); }
 
 	int rings_around(size_t placed) const {
-		int count = 0;
-		for (size_t ring = 0; ring < _lots.size(); ++ring) {
-			count += stands_in(placed, ring) ? 1 : 0;
-		}
-		return count;
+		return int(std::ranges::count_if(_rings, [&](size_t ring) { return stands_in(placed, ring); }));
 	}
 
 	// Lots that were moved; and those that were not, but stand where the ground of others has changed.
@@ -93,7 +94,7 @@ private:
 		while (!open.empty()) {
 			const size_t ring = open.back();
 			open.pop_back();
-			for (size_t i = 0; i < _lots.size() && _outlines[ring].size() > 1; ++i) {
+			for (size_t i = 0; i < _outlines.size() && _outlines[ring].size() > 1; ++i) {
 				if (!_is_patched[i] && stands_in(i, ring)) {
 					add(i);
 				}
@@ -122,7 +123,8 @@ private:
 
 	const City &_city;
 	std::span<const PlacedLot> _lots;
-	std::vector<Loops2> _outlines; // of _lots
+	std::vector<size_t> _rings; // those of _lots with courtyards
+	std::vector<Loops2> _outlines; // of _lots; none where there are no rings
 	std::vector<bool> _is_at_home, _lies_over_vacated; // by LotId
 	std::vector<bool> _is_patched; // of _lots
 };

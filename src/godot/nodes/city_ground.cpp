@@ -23,6 +23,37 @@ void add_to(PlanBox &box, const NavRegion &region) {
 CityGround::CityGround(std::shared_ptr<CityState> state, const BakeSettings &settings, LayeredPatches patches)
 	: _state(std::move(state)), _settings(settings) {
 	set_patches(std::move(patches));
+	_state->city.baked = { _state->city.patches, {} };
+}
+
+void CityGround::touch_changed(const BakedGround &saved) {
+	const auto touch_missing = [this](const std::vector<GroundPatch> &from, const std::vector<GroundPatch> &in) {
+		for (const GroundPatch &patch : from) {
+			if (std::ranges::none_of(in, [&](const GroundPatch &other) { return is_same(patch, other); })) {
+				touch(patch.outline);
+			}
+		}
+	};
+	const std::vector<GroundPatch> &now = _state->city.patches;
+	touch_missing(saved.patches, now);
+	touch_missing(now, saved.patches);
+	_dirty.insert(saved.stale_tiles.begin(), saved.stale_tiles.end());
+	note_stale();
+}
+
+// Tiles that are being baked, too.
+void CityGround::note_stale() {
+	std::set<uint32_t> stale = _dirty;
+	for (const Baked &baked : _baked) {
+		if (_baker || _joiner.joinable()) {
+			stale.insert(baked.tile);
+		}
+	}
+	BakedGround &baked = _state->city.baked;
+	baked.stale_tiles.assign(stale.begin(), stale.end());
+	if (stale.empty()) {
+		baked.patches = _state->city.patches;
+	}
 }
 
 void CityGround::set_patches(LayeredPatches patches) {
@@ -64,6 +95,7 @@ void CityGround::touch(const std::vector<glm::vec3> &polygon) {
 			_dirty.insert(uint32_t(i));
 		}
 	}
+	note_stale();
 }
 
 bool CityGround::go_on() {
@@ -78,6 +110,7 @@ bool CityGround::go_on() {
 			_state->paths->note_new_ground(tile.min, tile.max);
 		}
 		_state->paths->prepare();
+		note_stale();
 		return true;
 	}
 	if (_baker) {

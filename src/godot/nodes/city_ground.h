@@ -25,6 +25,8 @@ public:
 	// What edits make of the ground; tiles where that differs from before have to be baked.
 	void change(LayeredPatches patches);
 	void touch(LotId lot);
+	// Of a city that was saved: what had not been baked then, or was changed since.
+	void touch_changed(const BakedGround &saved);
 	bool is_idle() const { return _dirty.empty() && !_baker && !_joiner.joinable(); }
 	// A slice of work on the main thread. True when a new ground has come into force.
 	bool go_on();
@@ -37,6 +39,7 @@ public:
 
 private:
 	void set_patches(LayeredPatches patches);
+	void note_stale(); // in the state, for who saves it
 	void touch(const std::vector<glm::vec3> &polygon);
 	void begin_baking();
 	void collect_baked();

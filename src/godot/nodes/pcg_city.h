@@ -124,6 +124,7 @@ private:
 	bool prepare_rules(CityInput &input, Diagnostics &diagnostics) const;
 	void prepare_streets(CityInput &input, Diagnostics &diagnostics) const;
 	bool load_saved();
+	void forget_saved();
 	void read_regions(CityState &state) const;
 	BakeSettings bake_settings() const;
 	void add_bake_warnings(godot::PackedStringArray &warnings) const;

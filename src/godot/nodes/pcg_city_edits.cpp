@@ -56,6 +56,7 @@ void PCGCity::update_model() {
 	const CityEdits::Changes changes = _edits.take_in();
 	if (_ground && changes.has_new_ground) {
 		_ground->change(_edits.patches());
+		forget_saved();
 	}
 	if (changes.has_new_ground) {
 		_edits.mark_overlaps();
@@ -81,6 +82,7 @@ void PCGCity::mark_reach() const {
 
 void PCGCity::go_on_with_ground() {
 	if (_ground->go_on()) {
+		forget_saved();
 		CityBuilder builder(this, _state->city);
 		for (const CityGround::Baked &baked : _ground->baked()) {
 			builder.add_region(baked.tile, baked.mesh);
@@ -152,7 +154,7 @@ bool PCGCity::regenerate(const std::vector<LotId> &lots) {
 		_ground->touch(lot);
 	}
 	_edits.note_new_ground();
-	_saved.clear();
+	forget_saved();
 	replace_diagnostics(wanted, job);
 	report(job.diagnostics);
 	update_model();
@@ -176,6 +178,13 @@ void PCGCity::replace_diagnostics(const std::vector<LotId> &lots, const CityJob 
 	}
 	kept.append(job.diagnostics);
 	_diagnostics = std::move(kept);
+}
+
+// What was saved of a city that is still on its way stays.
+void PCGCity::forget_saved() {
+	if (_state) {
+		_saved.clear();
+	}
 }
 
 PackedByteArray PCGCity::get_saved_city() const {
@@ -214,7 +223,9 @@ bool PCGCity::load_saved() {
 	_edits.follow(_state_in_scene);
 	_edits.restore_ids();
 	update_model();
+	const BakedGround baked = std::move(_job->state->city.baked);
 	_ground = std::make_unique<CityGround>(_job->state, bake_settings(), _edits.patches());
+	_ground->touch_changed(baked);
 	start_task(Stage::Joining);
 	set_process(true);
 	return true;

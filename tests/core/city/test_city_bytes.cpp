@@ -27,6 +27,8 @@ City small_city(LayoutKind kind) {
 	city.ground.blocks.resize(city.layout.blocks.size());
 	city.ground.blocks[0].model.face_count = 5;
 	city.ground.blocks[0].objects = { ObjectId(3) };
+	city.baked.patches = { { { { 1, 0, -1 }, { 2, 0, -1 }, { 2, 0, -2 } }, { { { 1, 0, -1 }, { 2, 0, -1 }, { 2, 0, -1.5f } } } } };
+	city.baked.stale_tiles = { 1 };
 	return city;
 }
 
@@ -50,6 +52,8 @@ TEST_CASE("a city read back from its bytes writes the same bytes") {
 		CHECK(again->lots[3].entrances == city.lots[3].entrances);
 		CHECK(again->ground.blocks[0].objects == city.ground.blocks[0].objects);
 		CHECK(again->ground.blocks[0].model.face_count == 5);
+		CHECK(again->baked.patches[0].pieces == city.baked.patches[0].pieces);
+		CHECK(again->baked.stale_tiles == city.baked.stale_tiles);
 	}
 }
 
@@ -89,6 +93,9 @@ TEST_CASE("bytes of a city that were cut off or changed are refused, and read no
 			CHECK(city->lots.size() == city->layout.lots.size());
 			for (const Lot &lot : city->layout.lots) {
 				CHECK(index_of(lot.block) < city->layout.blocks.size());
+			}
+			for (const uint32_t tile : city->baked.stale_tiles) {
+				CHECK(tile < city->layout.tiles.size());
 			}
 		}
 	}
