@@ -56,7 +56,7 @@ std::shared_ptr<const WeightMap> PCGLotType::weight_map(Diagnostics &diagnostics
 	const Ref<Image> source = _weight_map->get_image();
 	Ref<Image> image = source.is_valid() ? Ref<Image>(source->duplicate()) : source;
 	if (image.is_null() || image->is_empty() || (image->is_compressed() && image->decompress() != OK)) {
-		diagnostics.error("bad-land-use", "the weight map of lot type \"" + from_godot(_type) + "\" has no picture", "give it an image, or none");
+		diagnostics.error("bad-land-use", "the weight map of lot type \"" + from_godot(_type) + "\" has no picture", "give it an image, or none; a NoiseTexture2D is drawn a little after it is made and then sends \"changed\": generate after that");
 		return nullptr;
 	}
 	image->convert(Image::FORMAT_L8);
