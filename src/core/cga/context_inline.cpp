@@ -60,7 +60,7 @@ Flow Context::run_inline(Chunk body, Merge strategy) {
 	const uint32_t outer_count = _successor_count;
 	_children.clear();
 	_collected = &leaves;
-	Flow flow = run_child(shape, body);
+	Flow flow = run_child(outer, body);
 	if (flow == Flow::Next) {
 		run_now();
 	}
