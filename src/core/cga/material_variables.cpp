@@ -219,7 +219,7 @@ template <size_t use> bool write_map(Context &context, const Value &value) {
 template <size_t use, size_t field> Value read_map_field(Vm &vm) {
 	const Material *material = brought(Context::of(vm), bit_of(TextureUse(use)));
 	const TextureSlot &slot = look_of(vm).texture(TextureUse(use));
-	return as_given(material != nullptr && slot == TextureSlot() ? brought_map<use>(*material).*map_fields[field].of_map : slot.*map_fields[field].member);
+	return as_given(material != nullptr && !slot.is_placed ? brought_map<use>(*material).*map_fields[field].of_map : slot.*map_fields[field].member);
 }
 template <size_t use, size_t field> bool write_map_field(Context &context, const Value &value) {
 	if (!value.is_number()) {
@@ -228,10 +228,11 @@ template <size_t use, size_t field> bool write_map_field(Context &context, const
 	const Material *material = brought(context, bit_of(TextureUse(use)));
 	Look &look = context.own_look();
 	TextureSlot &slot = own_textures(context, look).slots[use];
-	if (material != nullptr && slot == TextureSlot()) { // the model's pictures stay, and the other numbers those of the first
+	if (material != nullptr && !slot.is_placed) { // the model's pictures stay, and the other numbers those of the first
 		const TextureMap map = brought_map<use>(*material);
-		slot = { 0, 0, map.scale_u, map.scale_v, map.shift_u, map.shift_v, map.turn };
+		slot = { 0, 0, map.scale_u, map.scale_v, map.shift_u, map.shift_v, map.turn, 1 };
 	}
+	slot.is_placed = 1;
 	slot.*map_fields[field].member = float(context.finite(value));
 	return true;
 }
