@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,11 +30,15 @@ const Look &look_of(Vm &vm) {
 	return *Context::of(vm).shape.look;
 }
 
-// What an inserted model brought for the first face; nullptr if there is none or if a rule has set that part since.
+// What an inserted model brought for its first face, which is not the one that closes a cut; nullptr if there is none or if a rule has set that part since.
 const Material *brought(Context &context, uint32_t bit) {
 	const Geometry *geometry = context.shape.geometry;
-	const bool is_own = (context.shape.look->parts & bit) != 0 || geometry == nullptr || geometry->face_count == 0;
-	return is_own ? nullptr : context.model.materials().asset(geometry->faces[0].material);
+	if ((context.shape.look->parts & bit) != 0 || geometry == nullptr) {
+		return nullptr;
+	}
+	const std::span faces(geometry->faces, geometry->face_count);
+	const auto face = std::ranges::find_if(faces, [](uint16_t material) { return material != 0; }, &GeometryFace::material);
+	return face != faces.end() ? context.model.materials().asset(face->material) : nullptr;
 }
 const Material *brought(Context &context, LookPart part) { return brought(context, bit_of(part)); }
 
