@@ -86,9 +86,14 @@ class CommandLine(unittest.TestCase):
     def test_vertices_that_the_faces_of_a_shape_share_count_once(self):
         (self.folder / "three.obj").write_text("v 0 0 0\nv 6 0 0\nv 0 0 -6\nf 1 2 3\n")
         (self.folder / "cap.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 4\nf 2 3 4\nf 3 1 4\n")
-        # A prism; its faces one by one; cut into one prism of four sides and one of three; three models of 4 vertices each.
+        corners = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\n"
+        (self.folder / "joined.obj").write_text(corners + "f 1/1 3/2 4/3\n")
+        (self.folder / "apart.obj").write_text(corners + "v 2 0 0\nv 3 0 0\nv 3 1 0\nf 5/1 6/2 7/3\n")
+        changed = "".join(f'\n{rule} --> s(1, 1, 0) i("{file}.obj") scaleUV(0, 2, 2)' for rule, file in (("A", "joined"), ("B", "apart")))
+        # A prism; its faces one by one; cut into one prism of four sides and one of three; three models of 4 vertices each; changed models, two of
+        # two triangles with 4 vertices and two of two with 6.
         for body, faces, vertices in (("X.", 5, 6), ("comp(f) { all : X. }", 5, 18), ("split(x) { 3 : X. | ~1 : X. }", 11, 14),
-                                      ("split(y) { 1 : s(1, 1, 1) i(\"cap.obj\") X. }*", 9, 12)):
+                                      ("split(y) { 1 : s(1, 1, 1) i(\"cap.obj\") X. }*", 9, 12), ("split(y) { { 0.75 : A | 0.75 : B }* }" + changed, 8, 20)):
             (self.folder / "v.cga").write_text(f"Lot --> extrude(3) {body}\n")
             told = self.pcg("derive", "v.cga", "--shape", "three.obj", "--json", "v.json")
             self.assertEqual(told.returncode, 0, told.stderr)

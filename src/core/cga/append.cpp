@@ -25,7 +25,7 @@ Appender::Appender(Arena &arena, std::span<const Geometry *const> parts) : _aren
 	}
 }
 
-void Appender::add(const Geometry &source, const Frame &to_target, uint16_t material) {
+void Appender::add(const Geometry &source, const Frame &to_target) {
 	for (uint32_t i = 0; i < source.point_count; ++i) {
 		_points[_point + i] = to_target.to_parent(source.points[i]);
 	}
@@ -36,7 +36,6 @@ void Appender::add(const Geometry &source, const Frame &to_target, uint16_t mate
 	for (uint32_t i = 0; i < source.face_count; ++i) {
 		GeometryFace face = source.faces[i];
 		face.first_loop += _loop;
-		face.material = material != 0 ? material : face.material;
 		_faces[_face + i] = face;
 	}
 	_point += source.point_count;

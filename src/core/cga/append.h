@@ -13,8 +13,8 @@ public:
 	// `parts`: all that will be added; nullptr stands for nothing.
 	Appender(Arena &arena, std::span<const Geometry *const> parts);
 
-	// `to_target` from the part's coordinates; `material` 0: the faces keep theirs.
-	void add(const Geometry &source, const Frame &to_target, uint16_t material);
+	// `to_target` from the part's coordinates.
+	void add(const Geometry &source, const Frame &to_target);
 	const Geometry *finish();
 
 private:

@@ -133,7 +133,7 @@ private:
 	void make_current(const Shape &other);
 	void run_now();
 	void merge(std::span<const Shape> leaves, Merge strategy);
-	const Geometry *part_of(const Shape &leaf, uint16_t material);
+	const Geometry *part_of(const Shape &leaf, bool keeps_look);
 	void unify(std::span<const Geometry *> parts);
 	void connect_parts();
 	// A shape that calls rules, as its children see it.

@@ -60,7 +60,7 @@ Flow Context::run_inline(Chunk body, Merge strategy) {
 	const uint32_t outer_count = _successor_count;
 	_children.clear();
 	_collected = &leaves;
-	Flow flow = run_child(shape, body);
+	Flow flow = run_child(outer, body);
 	if (flow == Flow::Next) {
 		run_now();
 	}
@@ -81,11 +81,35 @@ namespace {
 
 constexpr double most_unite_cost = 1e7; // a second or two
 
-const Geometry *moved(const Geometry &part, const Frame &to_target, uint16_t material, Arena &arena) {
+const Geometry *moved(const Geometry &part, const Frame &to_target, Arena &arena) {
 	const Geometry *const one = &part;
 	Appender appender(arena, std::span(&one, 1));
-	appender.add(part, to_target, material);
+	appender.add(part, to_target);
 	return appender.finish();
+}
+
+// Its faces keep what the look makes of them, when their shape gets another.
+const Geometry *with_look(const Geometry &part, const Look &look, MaterialTable &materials, Arena &arena) {
+	GeometryFace *faces = arena.copy(part.faces, part.face_count);
+	for (uint32_t i = 0; i < part.face_count; ++i) {
+		const bool is_as_before = i > 0 && part.faces[i].material == part.faces[i - 1].material;
+		faces[i].material = is_as_before ? faces[i - 1].material : materials.look_material(look, part.faces[i].material);
+	}
+	Geometry *result = arena.make(part);
+	result->faces = faces;
+	return result;
+}
+
+// What rules set until now says nothing of the faces that are there.
+void forget_parts(Look &look, Arena &arena) {
+	look.parts = 0;
+	if (look.textures != nullptr) {
+		TextureSlots *textures = arena.copy(look.textures, 1);
+		for (TextureSlot &slot : textures->slots) {
+			slot.is_placed = 0;
+		}
+		look.textures = textures;
+	}
 }
 
 } // namespace
@@ -105,7 +129,7 @@ void Context::merge(std::span<const Shape> leaves, Merge strategy) {
 	const bool has_one_look = std::ranges::all_of(leaves, [&](const Shape &leaf) { return is_same(*leaf.look, *leaves[0].look); });
 	std::vector<const Geometry *> parts;
 	for (const Shape &leaf : leaves) {
-		parts.push_back(part_of(leaf, has_one_look ? 0 : model.materials().look_material(*leaf.look)));
+		parts.push_back(part_of(leaf, !has_one_look));
 	}
 	if (strategy == Merge::Unify) {
 		unify(parts);
@@ -113,11 +137,13 @@ void Context::merge(std::span<const Shape> leaves, Merge strategy) {
 	Appender appender(arena, parts);
 	for (const Geometry *part : parts) {
 		if (part != nullptr) {
-			appender.add(*part, Frame(), 0);
+			appender.add(*part, Frame());
 		}
 	}
 	const Geometry *merged = appender.finish();
-	if (has_one_look && !leaves.empty()) {
+	if (!has_one_look) {
+		forget_parts(own_look(), arena);
+	} else if (!leaves.empty()) {
 		shape.look = leaves[0].look;
 	}
 	if (merged == nullptr) {
@@ -130,12 +156,15 @@ void Context::merge(std::span<const Shape> leaves, Merge strategy) {
 	}
 }
 
-// In the current shape's scope; `material` 0: the faces keep theirs.
-const Geometry *Context::part_of(const Shape &leaf, uint16_t material) {
+// In the current shape's scope.
+const Geometry *Context::part_of(const Shape &leaf, bool keeps_look) {
 	const Geometry *geometry = baked(leaf, arena);
 	const Frame target = shape.frame(), own = leaf.frame();
 	const Frame to_target = { glm::transpose(target.axes) * own.axes, target.to_local(own.origin) };
-	return geometry != nullptr ? moved(*geometry, to_target, material, arena) : nullptr;
+	if (geometry == nullptr) {
+		return nullptr;
+	}
+	return moved(keeps_look ? *with_look(*geometry, *leaf.look, model.materials(), arena) : *geometry, to_target, arena);
 }
 
 void Context::unify(std::span<const Geometry *> parts) {

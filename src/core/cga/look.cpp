@@ -8,7 +8,7 @@ namespace {
 
 bool has_same_textures(const Look &a, const Look &b) {
 	static constexpr TextureSlots nothing;
-	static_assert(sizeof(TextureSlots) == texture_use_count * 7 * sizeof(float));
+	static_assert(sizeof(TextureSlots) == texture_use_count * 8 * sizeof(float));
 	const TextureSlots &of_a = a.textures != nullptr ? *a.textures : nothing, &of_b = b.textures != nullptr ? *b.textures : nothing;
 	return &of_a == &of_b || std::memcmp(&of_a, &of_b, sizeof(TextureSlots)) == 0;
 }

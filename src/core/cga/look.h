@@ -37,6 +37,7 @@ struct TextureSlot {
 	float scale_u = 1.0f, scale_v = 1.0f;
 	float shift_u = 0.0f, shift_v = 0.0f;
 	float turn = 0.0f;
+	uint32_t is_placed = 0; // 1: rules have set one of these numbers, of a picture that a model may bring
 
 	friend bool operator==(const TextureSlot &, const TextureSlot &) = default;
 };

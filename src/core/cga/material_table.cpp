@@ -44,16 +44,42 @@ void MaterialTable::begin() {
 	_known.clear();
 	_known_textures.clear();
 	_index_of_known.clear();
+	if (!_look_materials.empty()) {
+		_look_materials.clear();
+		_index_of_looks.clear();
+	}
 	_last = 0;
 }
 
 uint16_t MaterialTable::asset_material(const Material &material) {
 	const auto found = std::ranges::find(_asset_materials, material);
 	const size_t index = size_t(found - _asset_materials.begin());
-	if (found == _asset_materials.end() && index < 0xFFFF) {
+	if (found == _asset_materials.end()) {
+		if (is_full()) {
+			return 0;
+		}
 		_asset_materials.push_back(material);
 	}
-	return index < 0xFFFF ? uint16_t(index + 1) : uint16_t(0);
+	return uint16_t(index + 1);
+}
+
+const Material *MaterialTable::asset(uint16_t asset_material) const {
+	const size_t look = size_t(most_names - asset_material);
+	return asset_material == 0 ? nullptr : look < _look_materials.size() ? &_look_materials[look] : &_asset_materials[asset_material - 1u];
+}
+
+uint16_t MaterialTable::look_material(const Look &look, uint16_t asset_material) {
+	Material material = make(look, asset_material);
+	const uint64_t hash = hash_of(material);
+	uint32_t index = _index_of_looks.find(hash, [&](uint32_t known) { return _look_materials[known] == material; });
+	if (index == HashIndex::none) {
+		if (is_full()) {
+			return 0;
+		}
+		index = _index_of_looks.add(hash);
+		_look_materials.push_back(std::move(material));
+	}
+	return uint16_t(most_names - index);
 }
 
 uint32_t MaterialTable::index_of(const Look &look, uint16_t asset_material) {
@@ -84,8 +110,9 @@ uint32_t MaterialTable::add(Material material) {
 }
 
 Material MaterialTable::make(const Look &look, uint16_t asset_material) const {
-	const bool is_asset = asset_material > 0;
-	Material result = is_asset ? _asset_materials[asset_material - 1u] : Material();
+	const Material *brought = asset(asset_material);
+	const bool is_asset = brought != nullptr;
+	Material result = is_asset ? *brought : Material();
 	const auto is_own = [&](LookPart part) { return !is_asset || (look.parts & bit_of(part)) != 0; };
 	const auto take = [&](LookPart part, auto &target, const auto &value) {
 		if (is_own(part)) {
@@ -115,7 +142,7 @@ void MaterialTable::set_textures(Material &material, const Look &look, bool is_a
 		const TextureMap *brought = material.map(use);
 		if (!is_asset || (look.parts & bit_of(use)) != 0) {
 			set_map(material.maps, use, slot, _texts.text(slot.path != 0 ? slot.path : slot.file));
-		} else if (brought != nullptr && slot != TextureSlot()) { // rules have moved the model's picture
+		} else if (brought != nullptr && slot.is_placed) { // rules have moved the model's picture
 			set_map(material.maps, use, slot, std::string(brought->file));
 		}
 	}

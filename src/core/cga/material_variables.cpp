@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,11 +30,15 @@ const Look &look_of(Vm &vm) {
 	return *Context::of(vm).shape.look;
 }
 
-// What an inserted model brought for the first face; nullptr if there is none or if a rule has set that part since.
+// What an inserted model brought for its first face, which is not the one that closes a cut; nullptr if there is none or if a rule has set that part since.
 const Material *brought(Context &context, uint32_t bit) {
 	const Geometry *geometry = context.shape.geometry;
-	const bool is_own = (context.shape.look->parts & bit) != 0 || geometry == nullptr || geometry->face_count == 0;
-	return is_own ? nullptr : context.model.materials().asset(geometry->faces[0].material);
+	if ((context.shape.look->parts & bit) != 0 || geometry == nullptr) {
+		return nullptr;
+	}
+	const std::span faces(geometry->faces, geometry->face_count);
+	const auto face = std::ranges::find_if(faces, [](uint16_t material) { return material != 0; }, &GeometryFace::material);
+	return face != faces.end() ? context.model.materials().asset(face->material) : nullptr;
 }
 const Material *brought(Context &context, LookPart part) { return brought(context, bit_of(part)); }
 
@@ -219,7 +224,7 @@ template <size_t use> bool write_map(Context &context, const Value &value) {
 template <size_t use, size_t field> Value read_map_field(Vm &vm) {
 	const Material *material = brought(Context::of(vm), bit_of(TextureUse(use)));
 	const TextureSlot &slot = look_of(vm).texture(TextureUse(use));
-	return as_given(material != nullptr && slot == TextureSlot() ? brought_map<use>(*material).*map_fields[field].of_map : slot.*map_fields[field].member);
+	return as_given(material != nullptr && !slot.is_placed ? brought_map<use>(*material).*map_fields[field].of_map : slot.*map_fields[field].member);
 }
 template <size_t use, size_t field> bool write_map_field(Context &context, const Value &value) {
 	if (!value.is_number()) {
@@ -228,10 +233,11 @@ template <size_t use, size_t field> bool write_map_field(Context &context, const
 	const Material *material = brought(context, bit_of(TextureUse(use)));
 	Look &look = context.own_look();
 	TextureSlot &slot = own_textures(context, look).slots[use];
-	if (material != nullptr && slot == TextureSlot()) { // the model's pictures stay, and the other numbers those of the first
+	if (material != nullptr && !slot.is_placed) { // the model's pictures stay, and the other numbers those of the first
 		const TextureMap map = brought_map<use>(*material);
-		slot = { 0, 0, map.scale_u, map.scale_v, map.shift_u, map.shift_v, map.turn };
+		slot = { 0, 0, map.scale_u, map.scale_v, map.shift_u, map.shift_v, map.turn, 1 };
 	}
+	slot.is_placed = 1;
 	slot.*map_fields[field].member = float(context.finite(value));
 	return true;
 }

@@ -169,10 +169,11 @@ uint32_t ModelBuilder::count_vertices(const Geometry &geometry) {
 	if (geometry.face_count == 0 || geometry.outline(geometry.faces[0]).size() < 3) { // edges and points are not in the model
 		return 0;
 	}
-	if (!geometry.is_instance) {
+	const Geometry *whole = geometry.inserted; // copies of it come and go in one place of the arena
+	if (!geometry.is_instance || whole == nullptr || whole->points != geometry.points) {
 		return vertex_count(geometry);
 	}
-	const auto [found, is_new] = _vertices_of.try_emplace(&geometry, 0);
+	const auto [found, is_new] = _vertices_of.try_emplace(whole, 0);
 	if (is_new) {
 		found->second = vertex_count(geometry);
 	}

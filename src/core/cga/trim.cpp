@@ -165,7 +165,7 @@ const Geometry *Trimmer::cut(const Geometry &geometry, const TrimPlane &plane, C
 	Appender appender(arena, parts);
 	for (const Geometry *part : parts) {
 		if (part != nullptr) {
-			appender.add(*part, Frame(), 0);
+			appender.add(*part, Frame());
 		}
 	}
 	return appender.finish();

@@ -141,3 +141,13 @@ TEST_CASE("who asks nothing pays nothing, and who asks is known beforehand") {
 	const ContextUse labels = context_use(*compiled("Lot --> print(minimumDistance(inter, \"a\" + \"b\"))"));
 	CHECK((labels.inter_labels && !labels.inter_occlusion));
 }
+
+// Faces name their materials by 16 bits. What one lot has used up of them is no matter to the next.
+TEST_CASE("lots keep the colours of what they inline, however many lots were made before") {
+	const auto program = compiled("Lot --> inline(append) split(x) { 0.02 : color(rand(), rand(), rand()) Strip. }*");
+	const std::vector<InitialShape> lots = street(140); // of 500 strips each
+	const std::vector<DerivationResult> models = derive_all(*program, lots, {}, { 1, {}, nullptr });
+	CHECK(models.front().materials.size() == 500);
+	CHECK(models.back().materials.size() == 500);
+	CHECK(is_same(models.back(), derive_all(*program, std::span(lots).last(1), {}, { 1, {}, nullptr })[0]));
+}

@@ -23,7 +23,7 @@ public:
 		oak.name = "oak";
 		oak.color = { 0.5f, 0.25f, 0.0f, 0.5f };
 		oak.roughness = 0.25f;
-		oak.maps = { { TextureUse::Color, "oak.png" }, { TextureUse::Normal, "oak_n.png" } };
+		oak.maps = { { TextureUse::Color, "oak.png" }, { TextureUse::Normal, "oak_n.png", 2.0f } };
 		_model.materials = { oak };
 	}
 	const Asset *find(std::string_view name, std::string_view) const override { return name == "door.obj" ? &_model : nullptr; }
@@ -93,4 +93,13 @@ TEST_CASE("what a rule set itself wins over an asset's material, the rest is the
 	CHECK(file_of(material, TextureUse::Color) == "res://pictures/wall.jpg");
 	CHECK(file_of(material, TextureUse::Normal) == "oak_n.png");
 	CHECK(file_of(derived("Lot --> texture(\"\") i(\"door.obj\")", pictures).materials[0], TextureUse::Color).empty());
+}
+
+TEST_CASE("a model's picture that a rule lays out as pictures lie anyhow lies so") {
+	const Pictures pictures;
+	const Material plain = derived("Lot --> i(\"door.obj\")", pictures).materials[0];
+	CHECK(plain.map(TextureUse::Normal)->scale_u == 2.0f);
+	const Material changed = derived("Lot --> i(\"door.obj\") set(material.normalmap.su, 1)", pictures).materials[0];
+	CHECK(file_of(changed, TextureUse::Normal) == "oak_n.png");
+	CHECK(changed.map(TextureUse::Normal)->scale_u == 1.0f);
 }
