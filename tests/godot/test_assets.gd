@@ -233,6 +233,7 @@ func test_an_imported_mesh_and_picture() -> void:
 ## The same beside the main thread, which answers meanwhile; and with an end before the answer.
 func _check_async(city: PCGCity) -> void:
 	var before: int = city.get_statistics()["faces"]
+	await city.city_generated # of the first time: it is told when the caller has returned
 	check(city.generate(), "it begins again")
 	await city.city_generated
 	check_equal(city.get_statistics()["faces"], before, "beside the main thread nothing is different")
