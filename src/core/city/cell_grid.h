@@ -17,6 +17,8 @@ public:
 
 	// `outline` in lot coordinates, counter-clockwise. Cells are at most `cell` large; columns and rows divide the lot's extent exactly.
 	CellGrid(std::vector<glm::vec2> outline, float cell);
+	// No cell has a size, and nothing below may be asked.
+	bool is_flat() const { return !(_cell.x > 0.0f && _cell.y > 0.0f); }
 
 	// Everything that a polygon's plan touches. A line or a point blocks the cells that it runs through.
 	void block(const std::vector<glm::vec2> &plan);

@@ -126,6 +126,9 @@ std::vector<std::vector<glm::vec3>> free_ground(const Lot &lot, const cga::Deriv
 		outline.push_back(frame.to_lot(corner));
 	}
 	CellGrid grid(outline, options.cell);
+	if (grid.is_flat()) {
+		return {};
+	}
 	BandCutter band(frame, options.step_height, options.head_height);
 	for (const MeshFace &face : model.mesh.faces) {
 		grid.block(band.cut(model.mesh.loop(face.first_loop)));

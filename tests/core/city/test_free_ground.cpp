@@ -165,6 +165,8 @@ TEST_CASE("broken geometry and lots give no ground, not a crash") {
 	flat.polygon = { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 } };
 	flat.street_widths = { 1, 1, 1 };
 	CHECK(free_ground(flat, model_of(mesh)).empty());
+	flat.polygon = { { 0, 0, 0 }, { 20, 0, 0 }, { 10, 0, 0 } };
+	CHECK(free_ground(flat, model_of(mesh)).empty());
 	CHECK(free_ground(Lot(), model_of(mesh)).empty());
 }
 
