@@ -133,6 +133,7 @@ private:
 	void make_current(const Shape &other);
 	void run_now();
 	void merge(std::span<const Shape> leaves, Merge strategy);
+	std::vector<const Geometry *> parts_of(std::span<const Shape> leaves, bool keeps_looks);
 	const Geometry *part_of(const Shape &leaf, bool keeps_look);
 	void unify(std::span<const Geometry *> parts);
 	void connect_parts();

@@ -127,10 +127,7 @@ void Context::merge(std::span<const Shape> leaves, Merge strategy) {
 		return;
 	}
 	const bool has_one_look = std::ranges::all_of(leaves, [&](const Shape &leaf) { return is_same(*leaf.look, *leaves[0].look); });
-	std::vector<const Geometry *> parts;
-	for (const Shape &leaf : leaves) {
-		parts.push_back(part_of(leaf, !has_one_look));
-	}
+	std::vector<const Geometry *> parts = parts_of(leaves, !has_one_look);
 	if (strategy == Merge::Unify) {
 		unify(parts);
 	}
@@ -154,6 +151,18 @@ void Context::merge(std::span<const Shape> leaves, Merge strategy) {
 	if (strategy != Merge::Append) {
 		connect_parts();
 	}
+}
+
+std::vector<const Geometry *> Context::parts_of(std::span<const Shape> leaves, bool keeps_looks) {
+	std::vector<const Geometry *> parts;
+	for (const Shape &leaf : leaves) {
+		parts.push_back(part_of(leaf, keeps_looks));
+	}
+	if (keeps_looks && model.materials().is_full()) {
+		vm.warn("too-many-materials", "the parts of inline look different in more than 65,000 ways: what comes later looks like the shape itself",
+				"give fewer parts colours of their own, or leave them out of the inline");
+	}
+	return parts;
 }
 
 // In the current shape's scope.

@@ -23,6 +23,8 @@ public:
 	const Material *asset(uint16_t asset_material) const;
 	// The same, until begin(), of what a look says of faces with that material: faces that keep it when their shape gets another look.
 	uint16_t look_material(const Look &look, uint16_t asset_material);
+	// There is no name left for another.
+	bool is_full() const { return _asset_materials.size() + _look_materials.size() >= most_names; }
 	// Of a shape's own faces (0) and of those with an asset's material: that one, with what rules have set themselves.
 	uint32_t index_of(const Look &look, uint16_t asset_material);
 	TextPool &texts() { return _texts; }
@@ -38,7 +40,6 @@ private:
 		return known.asset_material == asset_material && is_same(known.look, look);
 	}
 	static constexpr uint32_t most_names = UINT16_MAX;
-	bool is_full() const { return _asset_materials.size() + _look_materials.size() >= most_names; }
 	Material make(const Look &look, uint16_t asset_material) const;
 	void set_textures(Material &material, const Look &look, bool is_asset) const;
 	uint32_t add(Material material);

@@ -70,6 +70,13 @@ TEST_CASE("a derivation ends when its time is over") {
 	CHECK(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < 10.0);
 }
 
+TEST_CASE("more materials within inline than faces can name are told") {
+	const DerivationResult model = run("Lot --> inline { split(x) { 0.001 : color(rand(1), rand(1), rand(1)) X. }* }", InitialShape::rectangle(66.0, 1.0));
+	CHECK(tells(model, "too-many-materials"));
+	CHECK(model.face_count == 66000);
+	CHECK(model.diagnostics.list().size() == 1);
+}
+
 TEST_CASE("a derivation ends when it is cancelled, before and while it runs") {
 	std::atomic<bool> cancel{ true };
 	DeriveOptions options;
